@@ -9,10 +9,10 @@
 #include "app/session/arrange_selection.h"
 #include "app/session/selection_style.h"
 #include "app/session/units.h"
+#include "app/session/window_operations.h"
 #include "app/session/window_words.h"
 
 #include <algorithm>
-#include <map>
 
 namespace app {
 namespace {
@@ -189,13 +189,9 @@ void changeWindow(Session& session, std::size_t number, const QString& text,
 
 void setWindowOperation(Session& session, std::size_t number, WindowOperation operation)
 {
-    static const std::map<WindowOperation, const char*> steps{
-        {WindowOperation::Add, QT_TRANSLATE_NOOP("Text", "Add %1")},
-        {WindowOperation::CutOut, QT_TRANSLATE_NOOP("Text", "Cut out %1")},
-        {WindowOperation::Intersect, QT_TRANSLATE_NOOP("Text", "Intersect with %1")}};
     const auto& list = session.now().windows().list;
     if (number < list.size() && list[number].operation != operation)
-        changeWindow(session, number, Text::tr(steps.at(operation)).arg(nameOf(list[number])),
+        changeWindow(session, number, infoOf(operation).step.arg(nameOf(list[number])),
                      [operation](ClipWindow& window) { window.operation = operation; });
 }
 

@@ -3,11 +3,11 @@
 
 #include "app/base/text.h"
 #include "app/comparison/differences_at.h"
+#include "app/session/window_operations.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <array>
 
 namespace app {
 namespace {
@@ -88,12 +88,6 @@ QString nameOf(const ClipWindow& window)
 
 std::string_view iconOf(const WindowShape& shape) { return looksOf(shape).icon; }
 
-QString signOf(WindowOperation operation)
-{
-    constexpr std::array<char16_t, 3> signs{u'+', u'\u2212', u'\u2229'};
-    return QChar(signs[std::size_t(operation)]);
-}
-
 QString resultOf(const ClipWindows& windows)
 {
     QString text;
@@ -109,7 +103,7 @@ QString resultOf(const ClipWindows& windows)
         if (text.isEmpty() && operation != WindowOperation::Add)
             text = Text::tr("everything");
         if (!text.isEmpty())
-            text += u' ' + signOf(operation) + u' ';
+            text += u' ' + infoOf(operation).sign + u' ';
         text += count == 1 ? name : Text::tr("%1 × %2").arg(count).arg(name);
     }
     return text;

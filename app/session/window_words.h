@@ -23,9 +23,6 @@ QString nameOf(const ObjectView& object);
 /// The key of the icon of a shape.
 std::string_view iconOf(const WindowShape& shape);
 
-/// "+", "−", "∩".
-QString signOf(WindowOperation operation);
-
 /// What the visible windows make together: "Old town − Market hall + Star"; "everything −
 /// Market hall" if the first one does not add. Empty without a visible window.
 QString resultOf(const ClipWindows& windows);

@@ -116,7 +116,7 @@ private:
 };
 
 template <class Rule>
-ObjectRanges objectsIn(const SceneLines& lines, const Window& rectangle)
+ObjectRanges objectsFor(const SceneLines& lines, const Window& rectangle)
 {
     const auto blocks = lines.blocks();
     std::vector<std::vector<ObjectRange>> found(blocks.size());
@@ -145,12 +145,12 @@ ObjectRanges objectsIn(const SceneLines& lines, const Window& rectangle)
 
 ObjectRanges objectsWithin(const SceneLines& lines, const Window& rectangle)
 {
-    return objectsIn<Within>(lines, rectangle);
+    return objectsFor<Within>(lines, rectangle);
 }
 
 ObjectRanges objectsTouching(const SceneLines& lines, const Window& rectangle)
 {
-    return objectsIn<Touching>(lines, rectangle);
+    return objectsFor<Touching>(lines, rectangle);
 }
 
 } // namespace app

@@ -243,7 +243,7 @@ int main(int argc, char** argv)
     for (int i = 0; i < 60; ++i)
         hovered.times.push_back(
             frame(canvas, [&] { hover(surface, QPointF(200 + 7 * i, 300 + 3 * i)); }));
-    canvas.fitDrawing();
+    canvas.fitPage();
     Figures{clip}.print(out, "clipping of all lines, a frame");
     panned.print(out, "panning, until it is seen");
     zoomed.print(out, "frame while zooming");

@@ -134,14 +134,14 @@ void paintAll(app::Session& session, ui::Canvas& canvas, const QDir& folder)
         save(QStringLiteral("near"));
         canvas.setZoom(0.15);
         save(QStringLiteral("far"));
-        canvas.fitDrawing();
+        canvas.fitPage();
     }
     session.inspect(3);
     for (const int count : {4, 12}) {
         app::Panes panes = canvas.panes();
         count > 4 ? panes.showAll() : panes.show(std::size_t(count));
         canvas.setPanes(panes);
-        canvas.fitDrawing();
+        canvas.fitPage();
         canvas.settle();
         canvas.grab().save(folder.filePath(QStringLiteral("panes-%1.png").arg(count)));
     }

@@ -117,7 +117,7 @@ private slots:
         canvas->setFocus();
         QTest::keyClick(canvas, Qt::Key_W);
         QCOMPARE(window.canvas().tool(), std::string_view("window"));
-        window.canvas().fitDrawing();
+        window.canvas().fitPage();
         window.canvas().settle();
         const auto at = [&](double x, double y) {
             const auto p = window.canvas().view().toScreen({x, y});

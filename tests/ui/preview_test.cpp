@@ -50,7 +50,7 @@ struct Desk : TestWindow {
         ::setWindow(session().document, start);
         show();
         window->canvas().setTool("window");
-        window->canvas().fitDrawing();
+        window->canvas().fitPage();
         const auto found = window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         std::ranges::copy(found.first(4), fields.begin()); // the angle comes last
     }

@@ -362,6 +362,7 @@ void StatusBar::addZoomMenu()
                         [this, percent] { canvas_.setZoom(percent / 100); });
     menu->addSeparator();
     menu->addAction(Text::tr("Fit drawing"), &canvas_, &Canvas::fitDrawing);
+    menu->addAction(Text::tr("Fit page"), &canvas_, &Canvas::fitPage);
     menu->addAction(Text::tr("Fit selection"), &canvas_, &Canvas::fitSelection);
     QAction* window = menu->addAction(Text::tr("Fit clip window"), &canvas_, &Canvas::fitWindow);
     connect(menu, &QMenu::aboutToShow, window,

@@ -118,6 +118,7 @@ bool Canvas::chooseWindowAt(const QPoint& position)
 }
 
 void Canvas::fitDrawing() { parts_->controller.fitDrawing(); }
+void Canvas::fitPage() { parts_->controller.fitPage(); }
 void Canvas::fitSelection() { parts_->controller.fitSelection(); }
 void Canvas::fitWindow() { parts_->controller.fitWindow(); }
 void Canvas::go(const app::View& view) { parts_->controller.navigation().go(view); }

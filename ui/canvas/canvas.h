@@ -79,7 +79,8 @@ public:
     /// Chooses the clip window whose outline or name is there; false: there is none.
     bool chooseWindowAt(const QPoint& position);
 
-    void fitDrawing();   ///< the page and everything that is drawn
+    void fitDrawing();   ///< everything that is drawn; nothing is: the page
+    void fitPage();      ///< the page and everything that is drawn
     void fitSelection(); ///< the drawing if nothing is selected
     void fitWindow();
     /// `view` has the canvas's size; previousView() returns from it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/capsule.h"
 
+#include "app/session/window_operations.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_values.h"
 #include "app/session/window_words.h"
@@ -21,8 +22,6 @@
 #include <QMenu>
 #include <QPainter>
 
-#include <array>
-
 namespace ui {
 namespace {
 
@@ -31,29 +30,19 @@ constexpr int numberWidth = 62;
 constexpr int stillMilliseconds = 200; // after the last change of the view
 constexpr int deafMilliseconds = 250;  // a click that was meant for the canvas does nothing
 
-struct OperationPart {
-    std::string_view icon;
-    QString name, tip;
-};
-
-/// In the order of app::WindowOperation.
-std::array<OperationPart, 3> operationParts()
+QString tipOf(const app::WindowOperationInfo& operation)
 {
-    return {{{"window-add", Text::tr("Add"), Text::tr("Add the window to those above it (+)")},
-             {"window-cut-out", Text::tr("Cut out"),
-              Text::tr("Cut the window out of those above it (−)")},
-             {"window-intersect", Text::tr("Intersect"),
-              Text::tr("Keep what the window has in common with those above it (*)")}}};
+    return Text::tr("%1 (%2)").arg(operation.tip, operation.letter);
 }
 
 Segments* operationSegments()
 {
     QStringList names, tips;
     std::vector<std::string_view> icons;
-    for (const OperationPart& part : operationParts()) {
-        names << part.name;
-        tips << part.tip;
-        icons.push_back(part.icon);
+    for (const app::WindowOperationInfo& each : app::windowOperations()) {
+        names << each.name;
+        tips << tipOf(each);
+        icons.push_back(each.icon);
     }
     auto* segments = new Segments(Text::tr("What the window does"), names);
     segments->setIcons(icons);
@@ -131,8 +120,8 @@ QToolButton* Capsule::makeOperations()
     button->setPopupMode(QToolButton::InstantPopup);
     button->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     auto* menu = new QMenu(button);
-    for (const OperationPart& part : operationParts()) {
-        QAction* action = menu->addAction(icon(part.icon), part.tip);
+    for (const app::WindowOperationInfo& each : app::windowOperations()) {
+        QAction* action = menu->addAction(icon(each.icon), tipOf(each));
         action->setCheckable(true);
         action->setData(int(operationChoice_->actions().size()));
         operationChoice_->addAction(action);

@@ -45,7 +45,7 @@ Controller::Controller(app::Session& session, QObject* parent)
         bench_.lastPoint.reset();
         followGauge();
         emit stepsChanged();
-        fitDrawing();
+        fitPage();
     });
     connect(&session.history, &app::History::indexChanged, this, &Controller::stepsChanged);
     // Queued: the scene has followed the document then, and a click has inspected its own line.
@@ -57,7 +57,7 @@ Controller::Controller(app::Session& session, QObject* parent)
         emit viewChanged();
         emit changed();
     });
-    fitDrawing();
+    fitPage();
 }
 
 /// However an object was selected, it is shown as if it had been clicked.

@@ -110,6 +110,7 @@ public:
     const GuideDrag& guideDrag() const { return guide_; }
 
     void fitDrawing();
+    void fitPage();
     void fitSelection();
     void fitWindow();
     double zoom() const; ///< 1 = 100 %: 1 mm on paper is 96 / 25.4 logical pixels

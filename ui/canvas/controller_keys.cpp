@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/move_objects.h"
+#include "app/session/window_operations.h"
 #include "app/session/window_steps.h"
 #include "ui/canvas/controller.h"
 #include "ui/editing/keeping.h"
 #include "ui/tools/group_choice.h"
 
 #include <array>
-#include <map>
 
 // The keys that work while the canvas has the focus.
 
@@ -125,17 +125,14 @@ bool Controller::actsOnWindow() const
 /// Of the chosen clip window, as in its capsule.
 bool Controller::windowKey(const QKeyEvent& event)
 {
-    static const std::map<QString, app::WindowOperation> operations{
-        {QStringLiteral("+"), app::WindowOperation::Add},
-        {QStringLiteral("-"), app::WindowOperation::CutOut},
-        {QStringLiteral("*"), app::WindowOperation::Intersect}};
     const bool commands = event.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
     if (commands || gestureGoes() || !actsOnWindow())
         return false;
-    if (const auto found = operations.find(event.text()); found != operations.end()) {
-        app::setWindowOperation(session_, *session_.windowNumber(), found->second);
-        return true;
-    }
+    for (const app::WindowOperationInfo& each : app::windowOperations())
+        if (event.text() == each.letter) {
+            app::setWindowOperation(session_, *session_.windowNumber(), each.operation);
+            return true;
+        }
     if (event.key() == Qt::Key_X) {
         keepOtherSide(session_);
         return true;
@@ -166,6 +163,8 @@ bool Controller::navigationKey(const QKeyEvent& event)
              && isOneOf(event.key(),
                         {Qt::Key_3, Qt::Key_NumberSign, Qt::Key_sterling, Qt::Key_section}))
         fitWindow();
+    else if (shift && isOneOf(event.key(), {Qt::Key_4, Qt::Key_Dollar, Qt::Key_currency}))
+        fitPage();
     else if (event.key() == Qt::Key_QuoteLeft)
         navigation_.back();
     else if (event.key() == Qt::Key_AsciiTilde)

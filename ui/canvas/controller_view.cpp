@@ -6,8 +6,13 @@
 
 namespace ui {
 
-// Shows the page and objects outside it.
 void Controller::fitDrawing()
+{
+    const auto lines = app::boundsOf(session_.scene.lines());
+    lines ? navigation_.show(*lines) : fitPage();
+}
+
+void Controller::fitPage()
 {
     clipping::Window all = session_.now().page().rectangle();
     if (const auto lines = app::boundsOf(session_.scene.lines()))

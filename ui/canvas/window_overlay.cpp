@@ -3,6 +3,7 @@
 
 #include "app/document/window_outline.h"
 #include "app/scene/area_windows.h"
+#include "app/session/window_operations.h"
 #include "app/view/frame_handles.h"
 #include "app/view/window_borders.h"
 #include "ui/canvas/window_label.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace ui {
 namespace {
@@ -97,20 +97,10 @@ const app::ClipWindow& actedOn(const Controller& controller)
     return session.windows().list[*session.windowNumber()];
 }
 
-// Windows that add are solid; the other operations have different dashes, in pixels.
-const std::vector<double>& dashesOf(app::WindowOperation operation)
-{
-    static const std::map<app::WindowOperation, std::vector<double>> dashes{
-        {app::WindowOperation::Add, {}},
-        {app::WindowOperation::CutOut, {7, 4}},
-        {app::WindowOperation::Intersect, {2, 3}}};
-    return dashes.at(operation);
-}
-
 void setDashes(QPen& pen, app::WindowOperation operation)
 {
     QList<qreal> pattern;
-    for (const double length : dashesOf(operation))
+    for (const double length : app::infoOf(operation).dashes)
         pattern << length / pen.widthF();
     if (!pattern.isEmpty())
         pen.setDashPattern(pattern);
@@ -284,7 +274,7 @@ std::vector<app::BorderLine> longBorders(const Controller& controller)
         app::BorderLine line{.step = step,
                              .colour = plainColour(colourOf(window, controller)),
                              .below = plainColour(controller.pageColour()),
-                             .dashes = dashesOf(window.operation)};
+                             .dashes = app::infoOf(window.operation).dashes};
         if (number == session.windowNumber()) {
             line.width = outlineWidth(controller, false);
             line.widthBelow = line.width + 2 * casing;

@@ -2,6 +2,7 @@
 #include "ui/canvas/window_tags.h"
 
 #include "app/document/window_shape.h"
+#include "app/session/window_operations.h"
 #include "app/session/window_words.h"
 #include "ui/look/look.h"
 #include "ui/tools/shape_drawing.h"
@@ -20,7 +21,7 @@ QString textOf(const app::ClipWindow& window, const QFontMetricsF& metrics)
     const QString name = app::nameOf(window);
     const QString text = window.operation == app::WindowOperation::Add
                              ? name
-                             : app::signOf(window.operation) + u' ' + name;
+                             : app::infoOf(window.operation).sign + u' ' + name;
     return metrics.elidedText(text, Qt::ElideRight, widest);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/window_list.h"
 
+#include "app/session/window_operations.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "ui/docks/algorithm_list.h"
@@ -36,7 +37,7 @@ public:
         painter->setPen(visible ? look.text : look.muted);
         painter->setFont(semiBold(option.font));
         const auto sign = app::WindowOperation(index.data(WindowModel::OperationRole).toInt());
-        painter->drawText(operation(option.rect), Qt::AlignCenter, app::signOf(sign));
+        painter->drawText(operation(option.rect), Qt::AlignCenter, app::infoOf(sign).sign);
         const QRect place = shape(option.rect);
         const std::string key = index.data(WindowModel::IconRole).toString().toStdString();
         painter->drawPixmap(

@@ -2,6 +2,7 @@
 #include "ui/docks/window_model.h"
 
 #include "app/base/text.h"
+#include "app/session/window_operations.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "ui/look/text.h"
@@ -14,12 +15,7 @@ namespace ui {
 
 namespace {
 
-QString operationText(app::WindowOperation operation)
-{
-    return operation == app::WindowOperation::Add      ? Text::tr("adds")
-           : operation == app::WindowOperation::CutOut ? Text::tr("cuts out")
-                                                       : Text::tr("intersects");
-}
+QString operationText(app::WindowOperation operation) { return app::infoOf(operation).verb; }
 
 } // namespace
 

@@ -3,6 +3,7 @@
 
 #include "app/document/styles_in_use.h"
 #include "app/session/recent_colours.h"
+#include "app/session/window_operations.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "app/view/colour_chart.h"
@@ -112,8 +113,8 @@ QWidget* WindowPanel::makeTools()
     colours_->hideEyedropper();
     connect(colour_, &QToolButton::clicked, this, &WindowPanel::openColours);
     connect(colours_, &ColourPopup::picked, this, &WindowPanel::setColour);
-    for (const auto& name : {Text::tr("Add"), Text::tr("Cut out"), Text::tr("Intersect")})
-        operation_->addItem(name);
+    for (const app::WindowOperationInfo& each : app::windowOperations())
+        operation_->addItem(each.name);
     operation_->setAccessibleName(Text::tr("Operation"));
     operation_->setToolTip(Text::tr("What the window does with those above it"));
     connect(operation_, &ToolList::done, this, &WindowPanel::entered);

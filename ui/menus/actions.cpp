@@ -50,6 +50,8 @@ QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& 
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         window.canvas().addAction(action);
     }
+    if (row.scope == ShortcutScope::Shown)
+        action->setShortcutContext(Qt::WidgetShortcut); // of menus, which never have the focus
     action->setCheckable(bool(row.checked));
     QObject::connect(action, &QAction::triggered, &window, [&window, &others, &row] {
         if (row.show)

@@ -19,9 +19,10 @@ namespace ui {
 class MainWindow;
 class OtherWindows;
 
-/// Where a command's keys work: everywhere in the window, or only while the canvas has the focus
-/// (single letters and digits, which fields need for typing).
-enum class ShortcutScope : std::uint8_t { Window, Canvas };
+/// Where a command's keys work: everywhere in the window; or only while the canvas has the focus
+/// (single letters and digits, which fields need for typing). Shown: they are no shortcuts, but
+/// keys that the canvas itself understands where they fit what is chosen.
+enum class ShortcutScope : std::uint8_t { Window, Canvas, Shown };
 
 /// One row of the catalogue of commands. Menus, tool bars, the list of shortcuts and the tests loop
 /// over it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
 #include "app/session/window_in_hand.h"
+#include "app/session/window_operations.h"
 #include "app/session/window_places.h"
 #include "app/session/window_steps.h"
 #include "app/view/picking.h"
@@ -142,20 +143,22 @@ ActionInfo occludeRow()
 
 QString noWindow() { return Text::tr("No clip window is visible. Draw one first (W)."); }
 
-template <app::WindowOperation operation>
-ActionInfo operationRow(std::string_view key, const QString& text)
+ActionInfo operationRow(app::WindowOperation operation)
 {
+    const app::WindowOperationInfo& info = app::infoOf(operation);
     return {
-        .key = key,
-        .text = text,
+        .key = info.key,
+        .text = info.entry,
+        .keys = {QKeySequence(info.letter)},
+        .scope = ShortcutScope::Shown,
         .run =
-            [](MainWindow& w) {
+            [operation](MainWindow& w) {
                 if (const auto number = w.session().windowNumber())
                     app::setWindowOperation(w.session(), *number, operation);
             },
         .enabled = hasWindow,
         .checked =
-            [](const MainWindow& w) {
+            [operation](const MainWindow& w) {
                 const auto number = w.session().windowNumber();
                 return number && w.session().windows().list[*number].operation == operation;
             },
@@ -168,9 +171,9 @@ std::vector<ActionInfo> windowRows()
 {
     using enum app::WindowOperation;
     return {
-        operationRow<Add>("window-adds", Text::tr("&Add to those above")),
-        operationRow<CutOut>("window-cuts-out", Text::tr("Cut out of t&hose above")),
-        operationRow<Intersect>("window-intersects", Text::tr("Int&ersect with those above")),
+        operationRow(Add),
+        operationRow(CutOut),
+        operationRow(Intersect),
         {},
         {
             .key = "rename-window",
@@ -245,6 +248,8 @@ ActionInfo keepOutsideRow()
     return {
         .key = "keep-outside",
         .text = Text::tr("&Keep outside"),
+        .keys = {QKeySequence("X")},
+        .scope = ShortcutScope::Shown,
         .run = [](MainWindow& w) { keepOtherSide(w.session()); },
         .checked =
             [](const MainWindow& w) {

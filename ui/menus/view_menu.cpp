@@ -36,12 +36,13 @@ void zoom(MainWindow& window)
         window.canvas().zoomBy(factor);
 }
 
-void fitDrawing(MainWindow& window)
+template <void (Canvas::*fit)()>
+void fitAll(MainWindow& window)
 {
     if (window.sheets().isOpen())
         window.tilesPage()->view().fit();
     else
-        window.canvas().fitDrawing();
+        (window.canvas().*fit)();
 }
 
 void addThemes(MainWindow& window, QMenu& menu)
@@ -178,7 +179,7 @@ std::vector<ActionInfo> zoomRows()
             .text = Text::tr("&Fit drawing"),
             .keys = {K("Shift+1")},
             .scope = ShortcutScope::Canvas,
-            .run = fitDrawing,
+            .run = fitAll<&Canvas::fitDrawing>,
         },
         {
             .key = "fit-selection",
@@ -196,6 +197,13 @@ std::vector<ActionInfo> zoomRows()
             .run = [](MainWindow& w) { w.canvas().fitWindow(); },
             .enabled = [](const MainWindow& w) { return w.session().clipWindow().has_value(); },
             .needs = Text::tr("There is no clip window. Draw one first (W)."),
+        },
+        {
+            .key = "fit-page",
+            .text = Text::tr("Fit pa&ge"),
+            .keys = {K("Shift+4")},
+            .scope = ShortcutScope::Canvas,
+            .run = fitAll<&Canvas::fitPage>,
         },
         {},
         {

@@ -117,6 +117,10 @@ inline void keysNavigate(ui::Backend backend)
     stage.key(Qt::Key_Exclam, Qt::ShiftModifier);
     const app::View fitted = stage.canvas->view();
     QVERIFY(fitted.zoom > 3);
+    stage.key(Qt::Key_Dollar, Qt::ShiftModifier); // the page is wider than what is drawn
+    QVERIFY(stage.canvas->view().zoom < fitted.zoom && stage.canvas->view().zoom > 3);
+    stage.key(Qt::Key_1, Qt::ShiftModifier);
+    QVERIFY(stage.canvas->view() == fitted);
     stage.key(Qt::Key_QuoteLeft);
     QVERIFY(stage.canvas->view() == before);
     stage.key(Qt::Key_AsciiTilde, Qt::ShiftModifier);

@@ -82,7 +82,7 @@ private slots:
         stage.wheel({300, 222}, {0, 120});
         stage.surface().repaint();
         QVERIFY(painting);
-        stage.canvas->fitDrawing();
+        stage.canvas->fitPage();
         stage.surface().repaint();
         QVERIFY(painting);
     }

@@ -109,7 +109,7 @@ private slots:
             const app::Point centre = stage.canvas->view().centre;
             QVERIFY(std::isfinite(centre.x) && std::isfinite(centre.y));
         }
-        stage.canvas->fitDrawing(); // and back
+        stage.canvas->fitPage(); // and back
         QVERIFY(stage.canvas->view().zoom > 0.1 && stage.canvas->view().zoom < 100);
     }
 };

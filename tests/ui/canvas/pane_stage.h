@@ -35,7 +35,7 @@ public:
         : Stage(backend, steepLines())
     {
         show(count);
-        canvas->fitDrawing();
+        canvas->fitPage();
         canvas->setSnapping(app::SnapTo::Nothing);
     }
     void show(std::size_t count)

@@ -100,7 +100,7 @@ private slots:
                 app::Display display = single.session.display();
                 display.variant.algorithm = stage.canvas->panes().choices()[i].algorithm;
                 single.session.setDisplay(display);
-                single.canvas->fitDrawing();
+                single.canvas->fitPage();
                 QCOMPARE(single.canvas->view(), stage.canvas->view());
                 QCOMPARE(stage.shot(i), single.picture().convertToFormat(stage.shot(i).format()));
             }

@@ -65,7 +65,7 @@ inline void open(Desk& desk)
     app::EditedDocument edited(document);
     edited.apply(edit);
     desk.session.load({edited.now(), {}});
-    desk.canvas.fitDrawing();
+    desk.canvas.fitPage();
 }
 
 /// Lines, selected and at a window; the microscope with a lesson, and the sheets are open.
@@ -87,7 +87,7 @@ inline void openStrange(Desk& desk)
         RandomDocuments random(unsigned(desk.below(1000)));
         desk.session.load({random.document(6), {}});
     } while (desk.session.scene.lines().size() >= app::leastLinesToTime); // times are never equal
-    desk.canvas.fitDrawing();
+    desk.canvas.fitPage();
 }
 
 inline void select(Desk& desk)

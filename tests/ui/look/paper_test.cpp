@@ -28,7 +28,7 @@ struct Drawing : TestWindow {
         sheet.shapes = {line};
         session().load({app::documentOf(sheet), {}});
         show();
-        window->canvas().fitDrawing();
+        window->canvas().fitPage();
     }
     app::Session& session() const { return window->session(); }
     QColor at(app::Point p) const

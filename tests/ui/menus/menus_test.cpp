@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
+#include "app/session/window_operations.h"
+#include "app/session/window_steps.h"
 #include "ui/menus/actions.h"
 #include "ui/tools/tool.h"
 
@@ -81,6 +83,31 @@ private slots:
         for (const QTextFrame* frame : page->document()->rootFrame()->childFrames())
             tables += qobject_cast<const QTextTable*>(frame) != nullptr;
         QCOMPARE(tables, 1);
+    }
+    /// Keys that the canvas itself understands are shown beside their commands.
+    void keysOfTheChosenWindowAreShown()
+    {
+        TestWindow t;
+        t.show();
+        app::Session& session = t.window->session();
+        const auto operation = [&] { return session.now().windows().list.back().operation; };
+        for (const app::WindowOperationInfo& each : app::windowOperations())
+            QCOMPARE(t.action(each.key.data())->shortcut(), QKeySequence(each.letter));
+        app::addWindow(session, {.shape = app::RectangleShape{{{10, 10}, {40, 40}}}});
+        const int before = session.history.index();
+        t.window->canvas().setTool("line");
+        QTest::keyClick(t.drawingArea(), '-'); // a number begins
+        QTest::keyClick(t.drawingArea(), Qt::Key_Escape);
+        QCOMPARE(session.history.index(), before);
+        t.window->canvas().setTool("window");
+        t.window->canvas().setFocus();
+        QTest::keyClick(t.drawingArea(), '-');
+        QCOMPARE(operation(), app::WindowOperation::CutOut);
+        QCOMPARE(session.history.index(), before + 1); // once
+        t.run("shortcuts");
+        const QString page = t.window->findChild<QTextBrowser*>()->toPlainText();
+        QVERIFY(page.contains("Keep outside\nX"));
+        QVERIFY(page.contains("Cut out of those above\n-"));
     }
     void noTwoEntriesOfAMenuHaveTheSameLetter()
     {

@@ -468,7 +468,7 @@ private slots:
         QCOMPARE(t.window->drawnLine().line(), std::size_t(1));
         t.window->session().microscope.close();
         t.window->canvas().setTool("select");
-        t.window->canvas().fitDrawing();
+        t.window->canvas().fitPage();
         const app::Point at = t.window->canvas().view().toScreen({30, 50});
         QTest::mouseDClick(t.drawingArea(), Qt::LeftButton, {}, QPoint(int(at.x), int(at.y)));
         QVERIFY(!t.window->session().microscope.isOpen());

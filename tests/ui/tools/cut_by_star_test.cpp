@@ -34,7 +34,7 @@ void openMap(Hand& h)
     QVERIFY(map != samples.end());
     h.t.window->files().openSample(*map);
     h.t.window->files().wait();
-    h.canvas.fitDrawing();
+    h.canvas.fitPage();
     h.canvas.setFocus();
     h.t.run("remove-window"); // the sample has one
 }
@@ -181,7 +181,7 @@ private slots:
         openMap(h);
         h.t.window->resize(1280, 800);
         QTest::keyClick(h.t.window.get(), Qt::Key_2, Qt::ControlModifier | Qt::AltModifier); // Cut
-        h.canvas.fitDrawing();
+        h.canvas.fitPage();
         const auto visible = [&] {
             return visibleIn(h.session.scene.lines(), h.session.region(), h.session.variant());
         };

@@ -41,7 +41,7 @@ struct Hand {
         t.show();
         key(Qt::Key_1, Qt::ControlModifier | Qt::AltModifier); // Draw: digits are numbers
         canvas.setSnapping(app::SnapTo::Nothing);
-        canvas.fitDrawing();
+        canvas.fitPage();
     }
     QWidget& surface() { return *canvas.focusProxy(); }
     QPoint at(app::Point p)

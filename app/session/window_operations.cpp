@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/window_operations.h"
+
+#include "app/base/text.h"
+
+#include <array>
+
+namespace app {
+
+std::span<const WindowOperationInfo> windowOperations()
+{
+    static const std::array all{
+        WindowOperationInfo{WindowOperation::Add,
+                            "window-adds",
+                            "window-add",
+                            "+",
+                            "+",
+                            Text::tr("Add"),
+                            Text::tr("adds"),
+                            Text::tr("&Add to those above"),
+                            Text::tr("Add the window to those above it"),
+                            Text::tr("Add %1"),
+                            {}},
+        WindowOperationInfo{WindowOperation::CutOut,
+                            "window-cuts-out",
+                            "window-cut-out",
+                            "-",
+                            QString(u'\u2212'),
+                            Text::tr("Cut out"),
+                            Text::tr("cuts out"),
+                            Text::tr("Cut out of t&hose above"),
+                            Text::tr("Cut the window out of those above it"),
+                            Text::tr("Cut out %1"),
+                            {7, 4}},
+        WindowOperationInfo{WindowOperation::Intersect,
+                            "window-intersects",
+                            "window-intersect",
+                            "*",
+                            QString(u'\u2229'),
+                            Text::tr("Intersect"),
+                            Text::tr("intersects"),
+                            Text::tr("Int&ersect with those above"),
+                            Text::tr("Keep what the window has in common with those above it"),
+                            Text::tr("Intersect with %1"),
+                            {2, 3}},
+    };
+    return all;
+}
+
+const WindowOperationInfo& infoOf(WindowOperation operation)
+{
+    return windowOperations()[std::size_t(operation)];
+}
+
+} // namespace app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/clip_windows.h"
+
+#include <QString>
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// What a clip window does with the result of those above it in the list, and what that is called
+/// everywhere: a row of a catalogue.
+struct WindowOperationInfo {
+    WindowOperation operation;
+    std::string_view key;       ///< of the command: "window-adds"
+    std::string_view icon;      ///< "window-add"
+    QString letter;             ///< the key for the chosen window on the canvas: "-"
+    QString sign;               ///< in formulas: "−"
+    QString name;               ///< "Cut out"
+    QString verb;               ///< "cuts out"
+    QString entry;              ///< in a menu, with its mnemonic: "Cut out of t&hose above"
+    QString tip;                ///< "Cut the window out of those above it"
+    QString step;               ///< of undo, with a place for the window's name: "Cut out %1"
+    std::vector<double> dashes; ///< of the window's outline, in pixels; empty: it is solid
+};
+
+// THE CATALOGUE, in the order of WindowOperation.
+std::span<const WindowOperationInfo> windowOperations();
+const WindowOperationInfo& infoOf(WindowOperation operation);
+
+} // namespace app
