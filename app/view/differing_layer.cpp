@@ -63,21 +63,19 @@ public:
 
     void remove()
     {
+        const int width = image_.width();
         for (int y = 0; y < image_.height(); ++y) {
             auto* const to = reinterpret_cast<QRgb*>(image_.scanLine(y));
-            for (int x = 0; x < image_.width(); ++x)
-                if (const int covered = coveredAt(x, y); covered > 0)
-                    to[x] = covered >= 255 - rounding ? around(x, y) : without(to[x], covered);
+            const auto* const by = reinterpret_cast<const QRgb*>(removed_.constScanLine(y));
+            for (int x = 0; x < width; ++x)
+                if (const int covered = qAlpha(by[x]); covered > 0)
+                    to[x] = covered >= complete ? around(x, y) : without(to[x], covered);
         }
     }
 
 private:
-    static constexpr int rounding = 3;
+    static constexpr int rounding = 3, complete = 255 - rounding;
 
-    int coveredAt(int x, int y) const
-    {
-        return qAlpha(reinterpret_cast<const QRgb*>(removed_.constScanLine(y))[x]);
-    }
     static QRgb without(QRgb pixel, int covered);
     QRgb around(int x, int y) const;
     std::optional<QRgb> beside(int x, int y, int right, int down) const;
@@ -91,6 +89,8 @@ private:
 QRgb Removing::without(QRgb pixel, int covered)
 {
     const int alpha = qAlpha(pixel);
+    if (covered == 0)
+        return pixel;
     if (alpha <= covered + rounding)
         return 0; // it was there alone
     const int left = std::clamp(255 - (255 - alpha) * 255 / (255 - covered), 0, alpha);
@@ -98,16 +98,21 @@ QRgb Removing::without(QRgb pixel, int covered)
     return qRgba(scaled(qRed(pixel)), scaled(qGreen(pixel)), scaled(qBlue(pixel)), left);
 }
 
-/// The nearest pixel in this direction of which nothing is removed; empty: there is none.
+/// What others leave of the nearest pixel in this direction that is not removed completely; empty:
+/// there is none.
 std::optional<QRgb> Removing::beside(int x, int y, int right, int down) const
 {
-    constexpr int far = 6; // pixels
+    constexpr int far = 12;                    // pixels
+    const bool isDone = right < 0 || down < 0; // from the top, and from the left
     for (int i = 1; i <= far; ++i) {
         const int u = x + i * right, v = y + i * down;
         if (!image_.valid(u, v))
             return {};
-        if (coveredAt(u, v) == 0)
-            return reinterpret_cast<const QRgb*>(image_.constScanLine(v))[u];
+        const int covered = qAlpha(reinterpret_cast<const QRgb*>(removed_.constScanLine(v))[u]);
+        if (covered >= complete)
+            continue;
+        const QRgb pixel = reinterpret_cast<const QRgb*>(image_.constScanLine(v))[u];
+        return isDone ? pixel : without(pixel, covered);
     }
     return {};
 }

@@ -51,11 +51,11 @@ QImage filled(const QPainterPath& path, const QSize& pixels)
 template <class Combine>
 void combine(QImage& mask, const QImage& window, const Combine& combined)
 {
+    const int width = mask.width();
     for (int y = 0; y < mask.height(); ++y) {
         uchar* const to = mask.scanLine(y);
-        const uchar* const from = window.constScanLine(y);
-        for (int x = 0; x < mask.width(); ++x)
-            to[x] = uchar(combined(int(to[x]), int(from[x])));
+        std::transform(to, to + width, window.constScanLine(y), to,
+                       [&](int all, int one) { return uchar(combined(all, one)); });
     }
 }
 
