@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/block_clipping.h"
 #include "app/scene/scene.h"
-#include "app/scene/scene_clipping.h"
 
 #include <QTest>
 
@@ -44,7 +44,8 @@ private slots:
             QCOMPARE(scene.lines().size(), all.size() - std::size_t(i) - 1);
         }
     }
-    // As SceneClipping does, but with threads that ThreadSanitizer knows.
+    // As SceneClipping does, but with threads that ThreadSanitizer knows: it does not see how Qt
+    // hands work to those of a pool.
     void blocksAreClippedAtTheSamePreparedRegion()
     {
         MixedWindows mixed(3);
@@ -63,24 +64,23 @@ private slots:
         const ClipRegion region = regionOf(mixed.windows(3, Mixed::Any), 0.001);
         BlockClipping first;
         first.start(region, clipping::exactAlgorithm().corrected.clipAll, {});
+        const auto visibleIn = [&] {
+            BlockClipping clipping;
+            clipping.startAs(first);
+            for (const auto& block : blocks) {
+                std::vector<Remains> remains(block->chunks.size());
+                SceneFrame::Block frame{&*block, 0, 0, remains, {}};
+                clipping.clip(frame, remains);
+            }
+            return clipping.visible();
+        };
         std::atomic<std::size_t> visible = 0;
         std::vector<std::jthread> threads;
         for (int i = 0; i < 4; ++i)
-            threads.emplace_back([&] {
-                BlockClipping clipping;
-                clipping.startAs(first);
-                for (const auto& block : blocks) {
-                    std::vector<Remains> remains(block->chunks.size());
-                    SceneFrame::Block frame{&*block, 0, 0, remains, {}};
-                    clipping.clip(frame, remains);
-                }
-                visible += clipping.visible();
-            });
+            threads.emplace_back([&] { visible += visibleIn(); });
         threads.clear();
-        SceneClipping all;
-        const auto frame =
-            all.clip(scene.lines(), region, clipping::exactAlgorithm().corrected.clipAll);
-        QCOMPARE(visible.load(), 4 * frame.visible);
+        QCOMPARE(visible.load(), 4 * visibleIn());
+        QVERIFY(visible > 0);
     }
 };
 
