@@ -4,8 +4,10 @@
 
 #include <QBuffer>
 #include <QPainter>
+#include <QPainterPath>
 #include <QTest>
 
+#include <array>
 #include <random>
 
 #include "tests/test_class.h"
