@@ -59,7 +59,11 @@ namespace {
 /// An image as it was, and how much of each pixel is removed from it.
 class Removing {
 public:
-    Removing(QImage& image, const QImage& removed) : image_(image), removed_(removed) {}
+    /// `widest`: of the strokes that are removed, in pixels.
+    Removing(QImage& image, const QImage& removed, double widest)
+        : image_(image), removed_(removed), far_(int(std::clamp(2 * widest, 12.0, 100.0)))
+    {
+    }
 
     void remove()
     {
@@ -82,6 +86,7 @@ private:
 
     QImage& image_;
     const QImage& removed_;
+    int far_;
 };
 
 /// A pixel without a line that covers `covered` of 255 of it. What shows through lines is the
@@ -98,16 +103,15 @@ QRgb Removing::without(QRgb pixel, int covered)
     return qRgba(scaled(qRed(pixel)), scaled(qGreen(pixel)), scaled(qBlue(pixel)), left);
 }
 
-/// What others leave of the nearest pixel in this direction that is not removed completely; empty:
-/// there is none.
+/// What others leave of the nearest pixel in this direction that is not removed completely, nothing
+/// beyond the image; empty: there is none as far as a stroke is wide.
 std::optional<QRgb> Removing::beside(int x, int y, int right, int down) const
 {
-    constexpr int far = 12;                    // pixels
     const bool isDone = right < 0 || down < 0; // from the top, and from the left
-    for (int i = 1; i <= far; ++i) {
+    for (int i = 1; i <= far_; ++i) {
         const int u = x + i * right, v = y + i * down;
         if (!image_.valid(u, v))
-            return {};
+            return 0;
         const int covered = qAlpha(reinterpret_cast<const QRgb*>(removed_.constScanLine(v))[u]);
         if (covered >= complete)
             continue;
@@ -118,26 +122,30 @@ std::optional<QRgb> Removing::beside(int x, int y, int right, int down) const
 }
 
 /// What lies in a pixel that shows nothing but what is removed: what others leave of it is seen on
-/// both sides of it, on at least one pair of sides.
+/// both sides of it, on at least one pair of sides. Where there are no sides many lines are
+/// removed: the pixel stays, as it is covered by others in such a crowd.
 QRgb Removing::around(int x, int y) const
 {
-    QRgb most = 0;
+    std::optional<QRgb> most;
     for (const auto& [right, down] : {std::pair{1, 0}, {0, 1}}) {
         const auto one = beside(x, y, right, down), other = beside(x, y, -right, -down);
         if (!one || !other)
             continue;
         const QRgb less = qAlpha(*one) < qAlpha(*other) ? *one : *other;
-        if (qAlpha(less) > qAlpha(most))
+        if (!most || qAlpha(less) > qAlpha(*most))
             most = less;
     }
-    return most;
+    return most.value_or(reinterpret_cast<const QRgb*>(image_.constScanLine(y))[x]);
 }
 
 } // namespace
 
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options)
 {
-    Removing(image, rasterised(layer.removed, band, options)).remove();
+    double widest = 0;
+    for (const DrawCommand& command : layer.removed.kept.commands)
+        widest = std::max(widest, command.stroke->width * options.pixelRatio);
+    Removing(image, rasterised(layer.removed, band, options), widest).remove();
     QPainter(&image).drawImage(0, 0, rasterised(layer.shown, band, options));
 }
 

@@ -450,21 +450,24 @@ private slots:
     {
         QTest::addColumn<int>("others");
         QTest::addColumn<double>("width");
+        QTest::addColumn<int>("lost");
         for (const double width : {0.3, 1.0 / 3}) { // 0.9 and 1 pixel, which covers some completely
-            QTest::addRow("a few lines, %g", width) << 100 << width;
-            QTest::addRow("many, %g", width) << 1000 << width;
-            QTest::addRow("everything is covered, %g", width) << 9000 << width;
+            QTest::addRow("a few lines, %g", width) << 100 << width << 20;
+            QTest::addRow("many, %g", width) << 1000 << width << 20;
+            QTest::addRow("everything is covered, %g", width) << 9000 << width << 20;
         }
+        QTest::newRow("a crowd is lost in a crowd") << 25'000 << 1.0 / 3 << 2000;
     }
     void whatOtherLinesCoverStaysCovered()
     {
         QFETCH(int, others);
         QFETCH(double, width);
+        QFETCH(int, lost);
         std::mt19937 random(7);
         const auto number = [&] { return double(random() % 1000) / 10; };
         std::vector<clipping::Segment> lines;
-        for (int i = 0; i < 20; ++i) { // less than 1 in x: KWC loses it
-            const double x = 22 + 1.8 * i;
+        for (int i = 0; i < lost; ++i) { // less than 1 in x: KWC loses it
+            const double x = 22 + 36.0 / lost * i;
             lines.push_back({{x, 30}, {x + 0.7, 60}});
         }
         for (int i = 0; i < others; ++i)
