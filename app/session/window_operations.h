@@ -11,8 +11,7 @@
 
 namespace app {
 
-/// What a clip window does with the result of those above it in the list, and what that is called
-/// everywhere: a row of a catalogue.
+/// An operation of clip windows with its names, sign, key and look: a row of a catalogue.
 struct WindowOperationInfo {
     WindowOperation operation;
     std::string_view key;       ///< of the command: "window-adds"

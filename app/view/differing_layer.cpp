@@ -103,8 +103,8 @@ QRgb Removing::without(QRgb pixel, int covered)
     return qRgba(scaled(qRed(pixel)), scaled(qGreen(pixel)), scaled(qBlue(pixel)), left);
 }
 
-/// What others leave of the nearest pixel in this direction that is not removed completely, nothing
-/// beyond the image; empty: there is none as far as a stroke is wide.
+/// Searches in one direction for a pixel that is not removed completely, and returns what remains
+/// of it. Beyond the image nothing remains. Empty: none is near.
 std::optional<QRgb> Removing::beside(int x, int y, int right, int down) const
 {
     const bool isDone = right < 0 || down < 0; // from the top, and from the left
@@ -121,9 +121,9 @@ std::optional<QRgb> Removing::beside(int x, int y, int right, int down) const
     return {};
 }
 
-/// What lies in a pixel that shows nothing but what is removed: what others leave of it is seen on
-/// both sides of it, on at least one pair of sides. Where there are no sides many lines are
-/// removed: the pixel stays, as it is covered by others in such a crowd.
+/// Guesses what remains of a pixel that is removed completely. A line that crosses it is seen on
+/// two opposite sides. Where all pixels nearby are removed, too, the lines are so many that others
+/// cover them: the pixel stays.
 QRgb Removing::around(int x, int y) const
 {
     std::optional<QRgb> most;

@@ -30,9 +30,8 @@ constexpr std::size_t manyPoints = 50'000; // painted in more bands than there a
 static PaintBand hairlinesPainted(const FrameWish& wish, const SceneFrame& frame,
                                   const PictureOptions& options, const RasterOptions& raster)
 {
-    const auto around =
-        std::make_shared<Picture>(pictureAround(wish.document.styles(), wish.lines, options));
-    return [&, around](Band band, QImage image) {
+    return [&, around = pictureAround(wish.document.styles(), wish.lines, options)](Band band,
+                                                                                    QImage image) {
         const auto paint = [&](Painted which) {
             paintHairlines(image, wish.lines, {frame, which}, wish.document.styles(), options, band,
                            raster);
@@ -45,7 +44,7 @@ static PaintBand hairlinesPainted(const FrameWish& wish, const SceneFrame& frame
             painter.fillRect(image.rect(), QColor::fromRgbF(0, 0, 0, float(raster.ghost)));
         }
         paint(options.removed == RemovedPart::Shown ? Painted::All : Painted::Kept);
-        return rasterised(*around, band, raster, image);
+        return rasterised(around, band, raster, image);
     };
 }
 

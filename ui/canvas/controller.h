@@ -147,7 +147,7 @@ public:
     const std::vector<QRectF>& textBoxes() const { return textBoxes_.in(view()); }
     QColor pageColour() const;
     double ghostOpacity() const; ///< of the removed lines' layer, 0 to 1
-    /// What a pane shows now, as an image of so many pixels.
+    /// The frame that a pane shows now; `pixels` is the size of its image.
     app::FrameWish wish(const Pane& pane, double pixelRatio, const QSize& pixels) const;
     /// How long this turn of the event loop may still wait for pictures, which are painted on other
     /// threads. All panes share it.
