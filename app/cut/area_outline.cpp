@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/area_outline.h"
 
-#include "app/cut/border_curve.h"
+#include "app/cut/true_curve.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace app {
 namespace {
@@ -14,7 +13,7 @@ namespace {
 struct Side {
     std::size_t subpath = 0, segment = 0; ///< of the curve, or of a line along the window's curve
     bool curved = false, isPart = false;  ///< whether it is a part of such a line
-    const BorderCurve* border = nullptr;  ///< the window's curve that it runs along
+    const TrueCurve* border = nullptr;    ///< the window's curve that it runs along
     double from = 0, to = 1; ///< parameters on the curve; `from > to` against its direction
     bool isForward = true;   ///< as found at the polygons
     Point start{};           ///< where the side begins
@@ -30,10 +29,7 @@ bool goesOn(const Side& side, const Side& next)
     const bool areOfOne =
         side.border ? side.border == next.border
                     : areParts && side.subpath == next.subpath && side.segment == next.segment;
-    const double gap = side.to - next.from;
-    const bool isEllipse = side.border && !side.border->bezier; // which may be at a full turn
-    return areOfOne && side.isForward == next.isForward
-           && (isEllipse ? std::abs(std::remainder(gap, 2 * std::numbers::pi)) < 1e-9 : gap == 0);
+    return areOfOne && side.isForward == next.isForward && side.to == next.from;
 }
 
 /// The rings of a clipped area, one after the other.
@@ -94,7 +90,7 @@ private:
         return side;
     }
 
-    static void takeParameters(Side& side, const BorderPart& part,
+    static void takeParameters(Side& side, const CurvePart& part,
                                const clipping::EdgeOrigin& origin)
     {
         side.border = part.curve;
@@ -114,8 +110,7 @@ private:
         std::vector<Side> joined;
         for (const Side& side : sides_)
             if (!joined.empty() && goesOn(joined.back(), side)) {
-                const double turns = side.border ? joined.back().to - side.from : 0;
-                joined.back().to = side.to + turns;
+                joined.back().to = side.to;
                 joined.back().last = side.last;
             } else {
                 joined.push_back(side);
@@ -138,16 +133,16 @@ private:
     {
         if (cut == chord.segment.a || cut == chord.segment.b)
             return true;
-        const auto curve =
-            own.curved ? std::optional(curveOf(path_[own.subpath], own.segment)) : std::nullopt;
+        const auto curve = own.curved
+                               ? std::optional(border_.curveAt(path_[own.subpath], own.segment))
+                               : std::nullopt;
         if (window.border) {
             const auto met =
                 curve ? border_.meeting(*curve, chord, cut) : border_.meeting(chord.segment, cut);
             if (met && met->border == window.border) {
                 cut = met->point;
                 t = met->t;
-                onWindow = window.border->bezier ? met->onBorder
-                                                 : window.border->near(met->point, onWindow);
+                onWindow = met->onBorder;
                 return true;
             }
         }
@@ -166,7 +161,7 @@ private:
             return segments.push_back({end});
         if (side.border)
             return side.border->append(segments, side.from, side.to, side.start, end);
-        const BorderCurve curve{curveOf(path_[side.subpath], side.segment), {}};
+        const TrueCurve curve = border_.curveAt(path_[side.subpath], side.segment);
         const Point start = side.missesStart ? curve.at(side.from) : side.start;
         if (side.missesStart)
             segments.push_back({start});

@@ -25,15 +25,15 @@ std::optional<CurvedBorder::Place> CurvedBorder::edgeThrough(const Point& cut) c
     return nearest;
 }
 
-BorderPart CurvedBorder::partOf(const Place& place) const
+CurvePart CurvedBorder::partOf(const Place& place) const
 {
     const Edge& edge = edgeAt(place);
-    return {&sourceOf(edge).curve, edge.t0, edge.t1};
+    return {&sourceOf(edge), edge.t0, edge.t1};
 }
 
-std::optional<BorderPart> CurvedBorder::partAlong(const clipping::Segment& edge) const
+std::optional<CurvePart> CurvedBorder::partAlong(const clipping::Segment& edge) const
 {
-    std::optional<BorderPart> found;
+    std::optional<CurvePart> found;
     index_.meeting({edge.a, edge.a}, 0, [&](std::uint32_t number) {
         const Place& place = edges_[number];
         if (!edgeAt(place).isCurved())
@@ -58,7 +58,7 @@ std::optional<BorderMeeting> CurvedBorder::meeting(const clipping::Segment& line
     const Point &from = edgeAt(*place).from, &to = endOf(*place);
     if ((line.a == from && line.b == to) || (line.a == to && line.b == from))
         return std::nullopt; // along it: another window cuts there
-    const BorderPart part = partOf(*place);
+    const CurvePart part = partOf(*place);
     double low = part.from, high = part.to;
     const bool atLow = isLeft(part.curve->at(low));
     if (atLow == isLeft(part.curve->at(high)))
@@ -75,13 +75,13 @@ std::optional<BorderMeeting> CurvedBorder::meeting(const clipping::Segment& line
     return isBeyond ? std::nullopt : std::optional(BorderMeeting{met, 0, part.curve, low});
 }
 
-std::optional<BorderMeeting> CurvedBorder::meeting(const Bezier& curve, const Chord& chord,
+std::optional<BorderMeeting> CurvedBorder::meeting(const TrueCurve& curve, const Chord& chord,
                                                    const Point& cut) const
 {
     const auto place = edgeThrough(cut);
     if (!place)
         return std::nullopt;
-    const BorderPart part = partOf(*place);
+    const CurvePart part = partOf(*place);
     const double width = chord.t1 - chord.t0, reach = part.to - part.from;
     double t = chord.t0 + width * placeOn(chord.segment.a, chord.segment.b, cut).share;
     double u = part.parameterAt(placeOn(edgeAt(*place).from, endOf(*place), cut).share);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/curved_border.h"
 
-#include "app/cut/border_curve.h"
-#include "app/cut/whole_curve.h"
 #include "app/document/window_outline.h"
 
 #include <glm/common.hpp>
@@ -67,21 +65,6 @@ CurvedBorder::Sides CurvedBorder::sidesFor(const Objects& objects)
 
 void CurvedBorder::add(const PathShape& shape, std::size_t window)
 {
-    if (const auto* round = std::get_if<EllipseRecipe>(&shape.recipe)) {
-        const Point radii = glm::abs(round->radii);
-        const EllipseArc ellipse{round->centre, {radii.x, 0}, {0, radii.y}};
-        Ring& ring = rings_.emplace_back(Ring{window});
-        const std::vector<Point> corners = outlineOf(shape, tolerance_).rings.front();
-        const auto source = std::uint32_t(sources_.size());
-        const BorderCurve& curve = sources_.emplace_back(BorderCurve{{}, ellipse}, ellipse).curve;
-        double t = curve.near(corners.front(), 0);
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const double next = curve.near(corners[(i + 1) % corners.size()], t);
-            ring.edges.push_back({corners[i], t, next, source});
-            t = next;
-        }
-        return;
-    }
     for (const Subpath& path : shape.path.subpaths())
         add(path, window);
 }
@@ -89,7 +72,7 @@ void CurvedBorder::add(const PathShape& shape, std::size_t window)
 void CurvedBorder::add(const Subpath& path, std::size_t window)
 {
     std::vector<Chord> chords;
-    flatten(path, tolerance_, chords);
+    flattenTruly(path, tolerance_, chords);
     const bool hasCurves = std::ranges::any_of(path.segments, &PathSegment::curved);
     const std::uint32_t line = hasCurves ? Edge::straight : Edge::side;
     Ring& ring = rings_.emplace_back(Ring{window});
@@ -100,8 +83,7 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
             edge.source = Edge::side;
         } else if (isCurve(path, chord.pathSegment)) {
             if (std::exchange(segment, chord.pathSegment) != chord.pathSegment)
-                sources_.push_back(
-                    {{curveOf(path, chord.pathSegment), {}}, ellipseAt(path, chord.pathSegment)});
+                sources_.push_back(curveAt(path, chord.pathSegment));
             edge = {chord.segment.a, chord.t0, chord.t1, std::uint32_t(sources_.size() - 1),
                     chord.t0 == 0};
         }
@@ -112,6 +94,20 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
         ring.edges.push_back({end, 0, 0, line}); // an open path counts as closed
 }
 
+TrueCurve CurvedBorder::curveAt(const Subpath& path, std::size_t segment) const
+{
+    return {path, segment, [&](const EllipseArc& ellipse) {
+                const std::array ends{ellipse.at(ellipse.angle),
+                                      ellipse.at(ellipse.angle + ellipse.sweep / 2),
+                                      ellipse.at(ellipse.angle + ellipse.sweep)};
+                return std::ranges::any_of(sources_, [&](const TrueCurve& source) {
+                    return source.ellipse() && std::ranges::all_of(ends, [&](const Point& p) {
+                               return glm::distance(onEllipse(*source.ellipse(), p), p) <= near_;
+                           });
+                });
+            }};
+}
+
 // Each part of the edge is 64 times nearer to the curve than the edge.
 std::array<Point, 7> CurvedBorder::between(const Place& place) const
 {
@@ -119,16 +115,10 @@ std::array<Point, 7> CurvedBorder::between(const Place& place) const
     std::array<Point, 7> places;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double share = (double(i) + 1) / double(places.size() + 1);
-        places[i] = edge.isCurved() ? sourceOf(edge).curve.at(edge.t0 + (edge.t1 - edge.t0) * share)
+        places[i] = edge.isCurved() ? sourceOf(edge).at(edge.t0 + (edge.t1 - edge.t0) * share)
                                     : edge.from + (endOf(place) - edge.from) * share;
     }
     return places;
-}
-
-double CurvedBorder::drawnOff(const std::optional<EllipseArc>& ellipse)
-{
-    constexpr double most = 3e-4; // of the radius
-    return ellipse ? most * (glm::length(ellipse->axis1) + glm::length(ellipse->axis2)) : 0;
 }
 
 void CurvedBorder::makeIndex()
@@ -145,8 +135,7 @@ void CurvedBorder::makeIndex()
             clipping::Window box{glm::min(edge.from, end), glm::max(edge.from, end)};
             for (const Point& p : between(edges_.back()))
                 box = {glm::min(box.min, p), glm::max(box.max, p)};
-            const double around = near_ + drawnOff(ellipseOf(edge));
-            boxes.push_back({box.min - around, box.max + around});
+            boxes.push_back({box.min - near_, box.max + near_});
             starts.push_back({edge.from, edge.from});
         }
     index_ = BoxIndex(boxes);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cut/border_curve.h"
 #include "app/cut/box_index.h"
-#include "app/document/arc_curves.h"
+#include "app/cut/true_curve.h"
 #include "app/document/clip_windows.h"
 #include "app/document/document.h"
 #include "app/document/flatten.h"
@@ -20,7 +19,7 @@ namespace app {
 struct BorderMeeting {
     Point point;
     double t; ///< of a curve that meets it
-    const BorderCurve* border;
+    const TrueCurve* border;
     double onBorder; ///< its parameter
 };
 
@@ -30,7 +29,7 @@ struct BorderMeeting {
 /// polygon again and again, and end as dashes. So coincidence is found first: where a curve of the
 /// drawing stays within `near` of the border, or a line from end to end, its chords are the
 /// polygon's own edges, bit for bit; what follows treats them as shared edges. Curves that
-/// approximate parts of ellipses are compared as these.
+/// draw parts of ellipses count as these.
 class CurvedBorder {
 public:
     /// How far apart two curves may be that are the same, if `near` (user units) is not given.
@@ -57,24 +56,24 @@ public:
     /// The windows as polygons; of areas, flattenAlong() gives them.
     ClipWindows polygons() const;
 
-    /// Appends the chords of a path as `flatten` does, along the border where the path is.
+    /// A segment of a path, which is a curve, as it counts: also as a part of an ellipse that the
+    /// border has.
+    TrueCurve curveAt(const Subpath& path, std::size_t segment) const;
+    /// Appends the chords of a path as `flatten` does, of its true curves, along the border where
+    /// the path is.
     void flattenAlong(const Path& path, double tolerance, std::vector<Chord>& chords) const;
 
     /// Where a line that is cut at a point of the polygons meets the border itself. Empty: the
     /// point is not on a curved edge, or the line ends between the curve and its chord.
     std::optional<BorderMeeting> meeting(const clipping::Segment& line, const Point& cut) const;
     /// Where the curve of a chord that is cut there meets it.
-    std::optional<BorderMeeting> meeting(const Bezier& curve, const Chord& chord,
+    std::optional<BorderMeeting> meeting(const TrueCurve& curve, const Chord& chord,
                                          const Point& cut) const;
     /// The part of the border's curve whose chord this edge of the polygons is. Empty: the border
     /// is straight there.
-    std::optional<BorderPart> partAlong(const clipping::Segment& edge) const;
+    std::optional<CurvePart> partAlong(const clipping::Segment& edge) const;
 
 private:
-    struct Source {
-        BorderCurve curve;
-        std::optional<EllipseArc> ellipse; ///< of which the curve is a part
-    };
     /// An edge of a window's polygon: a chord of its curve, or straight. There are very many.
     struct Edge {
         Point from;
@@ -95,12 +94,14 @@ private:
     struct Shared {
         double low, high;
         Point atLow, atHigh;
+        bool isNear; ///< a place of it is within `near_`, all others at least within twice that
     };
     /// An edge along which curves may run, by the numbers of its ring and of it there.
     struct Place {
         std::size_t ring, edge;
     };
 
+    void flattenTruly(const Subpath& path, double tolerance, std::vector<Chord>& chords) const;
     void divideAtEndsOfWindows();
     void add(const PathShape& shape, std::size_t window);
     void add(const Subpath& path, std::size_t window);
@@ -110,15 +111,8 @@ private:
     {
         return glm::distance(p, q) <= near_ / 1000;
     }
-    /// How far a chord's curve may be from the ellipse that it approximates, and another one's from
-    /// that. If the chord strays from it by an eighth of its tolerance, the radius is
-    /// length² / tolerance.
-    static double strayOf(const Point& chord, double tolerance)
-    {
-        return 5e-4 * glm::dot(chord, chord) / tolerance;
-    }
     const Edge& edgeAt(const Place& place) const { return rings_[place.ring].edges[place.edge]; }
-    BorderPart partOf(const Place& place) const;
+    CurvePart partOf(const Place& place) const;
     std::optional<Place> edgeThrough(const Point& cut) const;
     Place after(const Place& place) const
     {
@@ -138,17 +132,10 @@ private:
         bool moved = false;                           ///< a corner is elsewhere now
     };
     void divideAtEndsOf(const Path& path, Cuts& cuts);
-    /// `on` is the same point on the ellipse, of which the curve is a part.
-    void divideAt(const Point& p, const Point& on, Ending ending, Cuts& cuts);
-    /// How far another curve may be that is drawn for a part of the same ellipse.
-    static double drawnOff(const std::optional<EllipseArc>& ellipse);
+    void divideAt(const Point& p, Ending ending, Cuts& cuts);
     /// Places on an edge's curve between the ends of its chord.
     std::array<Point, 7> between(const Place& place) const;
-    std::optional<EllipseArc> ellipseOf(const Edge& edge) const
-    {
-        return edge.isCurved() ? sourceOf(edge).ellipse : std::nullopt;
-    }
-    const Source& sourceOf(const Edge& edge) const { return sources_[edge.source]; }
+    const TrueCurve& sourceOf(const Edge& edge) const { return sources_[edge.source]; }
     bool mayMoveEnd(const Place& place, const Point& p) const;
     void moveEnd(const Place& place, const Point& p);
     struct Where {
@@ -156,7 +143,6 @@ private:
         double distance;
     };
     static Where placeOn(const Point& a, const Point& b, const Point& p);
-    double distanceTo(const Place& place, const Point& p) const;
     struct Corner {
         double t;     ///< of the edge's curve; of a side, its share
         Point at, on; ///< and the nearest point of the curve
@@ -165,11 +151,10 @@ private:
     Corner cornerOn(const Place& place, const Point& p) const;
     std::vector<Edge> divided(const Place& place, std::span<const Cut> cuts) const;
     void divide(const Cuts& cuts);
-    std::optional<Shared> shared(const Place& place, const Bezier& curve,
-                                 const std::optional<EllipseArc>& ellipse) const;
-    bool isOf(const Edge& edge, const Bezier& curve) const
+    std::optional<Shared> shared(const Place& place, const TrueCurve& curve) const;
+    bool isOf(const Edge& edge, const TrueCurve& curve) const
     {
-        return edge.isCurved() && sourceOf(edge).curve.bezier == curve;
+        return edge.isCurved() && sourceOf(edge) == curve;
     }
     void flattenAlong(const Subpath& path, std::size_t segment, std::span<const Chord> plain,
                       double tolerance, Point& at, std::vector<Chord>& chords) const;
@@ -178,9 +163,10 @@ private:
         std::vector<CurvePoint> ends;     ///< of the curve's chords, which are short beside them
     };
     /// `plain` are chords within the tolerance of it.
-    Beside beside(const Bezier& curve, std::span<const Chord> plain, double tolerance) const;
-    /// How far a corner may be from a curve that runs there: both are near the border's curve.
-    double cornersNear() const { return 2 * near_; }
+    Beside beside(const TrueCurve& curve, std::span<const Chord> plain, double tolerance) const;
+    /// Who is within `near_` of a border runs along it as long as it is within this, so that two
+    /// curves that are as far apart are not divided again and again.
+    double stillNear() const { return 2 * near_; }
     /// Calls visit(number) for the edges that begin at a point.
     template <class Visit>
     void forEdgesFrom(const Point& p, const Visit& visit) const
@@ -196,13 +182,13 @@ private:
     /// The chords of a line along the border, up to both ends; empty: it is not along it.
     std::vector<Chord> linesAlong(const Chord& chord) const;
     /// Those along the curve, in order, none over another.
-    std::vector<Shared> sharedWith(const Subpath& path, std::size_t segment,
+    std::vector<Shared> sharedWith(const TrueCurve& curve,
                                    std::span<const std::uint32_t> near) const;
 
     ClipWindows windows_;
     std::vector<std::size_t> withRings_; ///< the numbers of windows with rings
     double tolerance_ = 0, near_ = 0;    ///< in user units
-    std::vector<Source> sources_;
+    std::vector<TrueCurve> sources_;
     std::vector<Ring> rings_;
     std::vector<Place> edges_; ///< along which curves may run
     BoxIndex index_;           ///< of these

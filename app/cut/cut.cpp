@@ -224,7 +224,7 @@ std::vector<Object> cutAlone(const Object& object, const CutOptions& options)
 {
     assert(options.clipAll && options.tolerance > 0);
     std::vector<Chord> chords;
-    flatten(object.path, options.tolerance, chords);
+    CurvedBorder().flattenAlong(object.path, options.tolerance, chords);
     ChordClipping clipping(options);
     const auto kept = clipping.keptOf(chords);
     std::optional<AreaLeft> area;

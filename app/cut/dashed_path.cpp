@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/dashed_path.h"
 
-#include "app/cut/border_curve.h"
+#include "app/cut/true_curve.h"
 #include "app/document/dash_parts.h"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cut/border_curve.h"
 #include "app/cut/curved_border.h"
-#include "app/cut/whole_curve.h"
+#include "app/cut/true_curve.h"
 
 #include <glm/geometric.hpp>
 
@@ -34,41 +33,37 @@ void CurvedBorder::divideAtEndsOfWindows()
 void CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
 {
     if (path.straight())
-        return path.forEachPoint([&](const Point& p) { divideAt(p, p, Ending::Line, cuts); });
+        return path.forEachPoint([&](const Point& p) { divideAt(p, Ending::Line, cuts); });
     for (const Subpath& subpath : path.subpaths()) {
-        const auto ending = [&](std::size_t i) {
-            return isCurve(subpath, i) ? Ending::Curve : Ending::Line;
-        };
-        divideAt(subpath.start, subpath.start, ending(0), cuts);
-        for (std::size_t i = 0; i < subpath.segments.size(); ++i) {
-            const Point to = subpath.segments[i].to;
-            const bool goesOn = isCurve(subpath, i) && goesOnAfter(subpath, i);
-            const auto ellipse = goesOn ? ellipseAt(subpath, i) : std::nullopt;
-            divideAt(to, ellipse ? onEllipse(*ellipse, to) : to, ending(i), cuts);
-        }
+        if (!isCurve(subpath, 0))
+            divideAt(subpath.start, Ending::Line, cuts);
+        for (std::size_t i = 0; i < subpath.segments.size(); ++i)
+            if (isCurve(subpath, i)) {
+                const TrueCurve curve = curveAt(subpath, i);
+                divideAt(curve.at(0), Ending::Curve, cuts);
+                divideAt(curve.at(1), Ending::Curve, cuts);
+            } else {
+                divideAt(subpath.segments[i].to, Ending::Line, cuts);
+            }
     }
 }
 
 /// Whether an edge ends so near to a point of its curve that a short edge between the two would be
-/// along no curve. Of an ellipse, as far from it as drawings of one are. Corners where something
-/// ends stay.
+/// along no curve. Corners where something ends stay.
 bool CurvedBorder::mayMoveEnd(const Place& place, const Point& p) const
 {
     const Edge& next = edgeAt(after(place));
     if (!next.isCurved() || next.isEnd)
         return false;
-    const auto& [curve, ellipse] = sourceOf(next);
     const double distance = glm::distance(next.from, p);
     constexpr double little = 0.25; // the edges beside it must stay near to the curve
     if (distance > little * glm::distance(edgeAt(place).from, next.from)
         || distance > little * glm::distance(next.from, endOf(after(place))))
         return false;
-    if (ellipse && distance <= drawnOff(ellipse)
-        && glm::distance(onEllipse(*ellipse, p), p) <= near_)
-        return true;
     if (distance > 3 * near_)
         return false;
-    const Point on = curve.at(curve.near(p, next.t0));
+    const Point before = cornerOn(place, p).on, behind = cornerOn(after(place), p).on;
+    const Point on = glm::distance(before, p) < glm::distance(behind, p) ? before : behind;
     return glm::distance(on, p) <= near_
            && glm::distance(next.from, on) <= 2 * glm::distance(on, p);
 }
@@ -77,20 +72,16 @@ bool CurvedBorder::mayMoveEnd(const Place& place, const Point& p) const
 void CurvedBorder::moveEnd(const Place& place, const Point& p)
 {
     auto& edges = rings_[place.ring].edges;
-    Edge &edge = edges[place.edge], &next = edges[after(place).edge];
-    const BorderCurve& curve = sourceOf(next).curve;
+    Edge& next = edges[after(place).edge];
     next.from = p;
     next.isEnd = true;
-    // Of an ellipse, the end of its turn is also its start.
-    edge.t1 = curve.near(p, edge.t1);
-    next.t0 = curve.near(p, next.t0);
 }
 
 /// Where a corner of the border is the point but for rounding, it becomes the point.
-void CurvedBorder::divideAt(const Point& p, const Point& on, Ending ending, Cuts& cuts)
+void CurvedBorder::divideAt(const Point& p, Ending ending, Cuts& cuts)
 {
     std::map<std::size_t, std::pair<double, std::uint32_t>> nearest; // of each ring
-    index_.meeting({on, on}, 0, [&](std::uint32_t number) {
+    index_.meeting({p, p}, 0, [&](std::uint32_t number) {
         const Place& place = edges_[number];
         if (ending == Ending::Line && !edgeAt(place).isCurved())
             return;
@@ -101,14 +92,13 @@ void CurvedBorder::divideAt(const Point& p, const Point& on, Ending ending, Cuts
                 edge->from = p;
                 edge->isEnd = true;
             }
-        if (mayMoveEnd(place, on)) {
+        if (mayMoveEnd(place, p)) {
             moveEnd(place, p);
             cuts.moved = true;
         }
-        if (placeOn(edgeAt(place).from, endOf(place), on).distance
-            > tolerance_ + 2 * near_ + strayOf(endOf(place) - edgeAt(place).from, tolerance_))
+        if (placeOn(edgeAt(place).from, endOf(place), p).distance > tolerance_ + 2 * near_)
             return;
-        const std::pair found(distanceTo(place, on), number);
+        const std::pair found(glm::distance(cornerOn(place, p).on, p), number);
         const auto at = nearest.try_emplace(place.ring, found).first;
         if (found.first < at->second.first)
             at->second = found;
@@ -116,8 +106,7 @@ void CurvedBorder::divideAt(const Point& p, const Point& on, Ending ending, Cuts
     for (const auto& [ring, found] : nearest) {
         const auto& [distance, number] = found;
         const Place& place = edges_[number];
-        if (distance <= 1.5 * near_ // the parts of edges themselves are off by some of that
-            && edgeAt(place).from != p && endOf(place) != p)
+        if (distance <= 1.5 * near_ && edgeAt(place).from != p && endOf(place) != p)
             cuts.on[number].push_back({p, ending});
     }
 }
@@ -130,26 +119,6 @@ CurvedBorder::Where CurvedBorder::placeOn(const Point& a, const Point& b, const 
     return {share, glm::distance(a + along * share, p)};
 }
 
-/// Of a point to an edge's curve, or to the ellipse of which that is a part.
-double CurvedBorder::distanceTo(const Place& place, const Point& p) const
-{
-    std::vector<Point> points{edgeAt(place).from};
-    std::ranges::copy(between(place), std::back_inserter(points));
-    points.push_back(endOf(place));
-    double least = std::numeric_limits<double>::infinity();
-    const auto look = [&] {
-        for (std::size_t i = 0; i + 1 < points.size(); ++i)
-            least = std::min(least, placeOn(points[i], points[i + 1], p).distance);
-    };
-    look();
-    if (const auto ellipse = ellipseOf(edgeAt(place))) {
-        for (Point& q : points)
-            q = onEllipse(*ellipse, q);
-        look();
-    }
-    return least;
-}
-
 CurvedBorder::Corner CurvedBorder::cornerOn(const Place& place, const Point& p) const
 {
     const Edge& edge = edgeAt(place);
@@ -157,10 +126,8 @@ CurvedBorder::Corner CurvedBorder::cornerOn(const Place& place, const Point& p) 
         const double share = placeOn(edge.from, endOf(place), p).share;
         return {share, p, edge.from + (endOf(place) - edge.from) * share};
     }
-    const BorderCurve& curve = sourceOf(edge).curve;
-    const auto [low, high] = std::minmax(edge.t0, edge.t1);
-    const double t = std::clamp(curve.near(p, edge.t0), low, high);
-    return {t, p, curve.at(t)};
+    const double t = sourceOf(edge).near(p, edge.t0, edge.t1);
+    return {t, p, sourceOf(edge).at(t)};
 }
 
 /// The parts of an edge between points on it, in their order. Of two points beside each other, only
@@ -187,7 +154,7 @@ std::vector<CurvedBorder::Edge> CurvedBorder::divided(const Place& place,
                    || glm::distance(a.on, b.on) > 2 * glm::distance(a.at - a.on, b.at - b.on));
     };
     const auto ownCorner = [&](double t, const Point& at) {
-        return Corner{t, at, edge.isCurved() ? sourceOf(edge).curve.at(t) : at};
+        return Corner{t, at, edge.isCurved() ? sourceOf(edge).at(t) : at};
     };
     Corner last = ownCorner(edge.t0, edge.from);
     const Corner end = ownCorner(edge.isCurved() ? edge.t1 : 1, endOf(place));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/runs.h"
 
-#include "app/cut/border_curve.h"
 #include "app/cut/cut_ends.h"
+#include "app/cut/true_curve.h"
 
 #include <glm/common.hpp>
 
@@ -39,7 +39,7 @@ const clipping::Window* windowAt(const ClipRegion& region, const Point& p, Edge 
     return region.steps.size() == 1 ? &region.steps.front().box : nullptr;
 }
 
-std::optional<End> endAtBorder(const Bezier& curve, const Chord& chord, const Point& cut,
+std::optional<End> endAtBorder(const TrueCurve& curve, const Chord& chord, const Point& cut,
                                const ClipRegion& region)
 {
     const auto edge = borderAt(region, chord.segment, cut);
@@ -49,7 +49,7 @@ std::optional<End> endAtBorder(const Bezier& curve, const Chord& chord, const Po
 // The point at which the curve itself crosses the edge's line, by bisection within the chord's
 // interval. If the curve does not cross it (the chord cuts a corner that the curve misses), the
 // chord's own cut.
-End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge,
+End refined(const TrueCurve& curve, const Chord& chord, const Point& cut, Edge edge,
             const ClipRegion& region)
 {
     const Point along = chord.segment.b - chord.segment.a;
@@ -123,13 +123,13 @@ public:
 
 private:
     // A cut, moved to where the curve or the border itself is met.
-    End cutAt(const Chord& chord, const End& cut, Edge edge) const
+    End cutAt(const Chord& chord, const End& cut, Edge edge)
     {
         if (!isCurve(path_, chord.pathSegment)) {
             const auto met = border_.meeting(chord.segment, cut.point);
             return met ? End{cut.t, met->point} : cut;
         }
-        const Bezier curve = curveOf(path_, chord.pathSegment);
+        const TrueCurve& curve = curveAt(chord.pathSegment);
         if (const auto met = border_.meeting(curve, chord, cut.point))
             return {met->t, met->point};
         return refined(curve, chord, cut.point, edge, region_);
@@ -143,6 +143,13 @@ private:
             segments.back() = {end};
         else
             segments.push_back({end});
+    }
+
+    const TrueCurve& curveAt(std::size_t segment)
+    {
+        if (!curve_ || curve_->first != segment)
+            curve_.emplace(segment, border_.curveAt(path_, segment));
+        return curve_->second;
     }
 
     // Collects the chords of one curve, so that they become one curve again.
@@ -162,16 +169,14 @@ private:
         const std::size_t none = path_.segments.size() + 1;
         if (curveSegment_ == none)
             return;
-        const bool whole = curveBegin_.t == 0 && curveEnd_.t == 1;
         if (curveBegin_.t > curveEnd_.t) { // a piece at a polygon, of which the curve has nothing
             runs_.back().path.segments.push_back({curveEnd_.point});
             curveSegment_ = none;
             return;
         }
-        const Bezier part = curveOf(path_, curveSegment_).part(curveBegin_.t, curveEnd_.t);
-        runs_.back().path.segments.push_back(
-            whole ? path_.segments[curveSegment_]
-                  : PathSegment{curveEnd_.point, part.control1, part.control2, true});
+        curveAt(curveSegment_)
+            .append(runs_.back().path.segments, curveBegin_.t, curveEnd_.t, curveBegin_.point,
+                    curveEnd_.point);
         curveSegment_ = none;
     }
 
@@ -194,6 +199,7 @@ private:
     std::size_t next_ = 0;
     std::size_t curveSegment_ = path_.segments.size() + 1; ///< the initial value: no curve
     End curveBegin_{}, curveEnd_{};
+    std::optional<std::pair<std::size_t, TrueCurve>> curve_; ///< the last one, by its segment
     std::size_t measured_ = 0;
     double length_ = 0;
 };

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/whole_curve.h"
 
-#include "app/cut/border_curve.h"
+#include "app/cut/true_curve.h"
 
 #include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace app {
 namespace {
@@ -26,6 +31,28 @@ std::optional<std::size_t> previousCurve(const Subpath& path, std::size_t segmen
     const std::size_t previous = segment > 0 ? segment - 1 : path.segments.size() - 1;
     return isCurve(path, previous) && nextCurve(path, previous) == segment ? std::optional(previous)
                                                                            : std::nullopt;
+}
+
+bool isCircle(const EllipseArc& ellipse)
+{
+    const double a = glm::length(ellipse.axis1), b = glm::length(ellipse.axis2);
+    return std::abs(a - b) <= rounding * a
+           && std::abs(glm::dot(ellipse.axis1, ellipse.axis2)) <= rounding * a * b;
+}
+
+bool isQuarter(const EllipseArc& ellipse)
+{
+    constexpr double most = 0.01; // what programs make of 4/3 tan(π / 8)
+    return std::abs(std::abs(ellipse.sweep) - std::numbers::pi / 2) <= most;
+}
+
+bool isOn(const EllipseArc& ellipse, const Bezier& curve)
+{
+    constexpr double strays = 5e-4; // of the radius
+    return std::ranges::all_of(std::array{0.0, 0.3, 0.5, 0.8, 1.0}, [&](double t) {
+        const Point p = curve.at(t), there = onEllipse(ellipse, p);
+        return glm::distance(there, p) <= strays * glm::distance(there, ellipse.centre);
+    });
 }
 
 } // namespace
@@ -55,7 +82,7 @@ bool goesOnAfter(const Subpath& path, std::size_t segment)
     return next && joined(curveOf(path, segment), curveOf(path, *next));
 }
 
-std::optional<EllipseArc> ellipseAt(const Subpath& path, std::size_t segment)
+std::optional<DrawnEllipse> ellipseAt(const Subpath& path, std::size_t segment)
 {
     Bezier whole = curveOf(path, segment);
     std::size_t first = segment, last = segment;
@@ -75,7 +102,15 @@ std::optional<EllipseArc> ellipseAt(const Subpath& path, std::size_t segment)
         whole = *more;
         first = *previous;
     }
-    return ellipseOf(whole);
+    const auto ellipse = ellipseOf(whole);
+    if (!ellipse)
+        return std::nullopt;
+    const auto goesOnAt = [&](std::optional<std::size_t> beside) {
+        return beside && isOn(*ellipse, curveOf(path, *beside));
+    };
+    return DrawnEllipse{*ellipse, isCircle(*ellipse) || isQuarter(*ellipse)
+                                      || goesOnAt(nextCurve(path, last))
+                                      || goesOnAt(previousCurve(path, first))};
 }
 
 } // namespace app

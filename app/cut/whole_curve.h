@@ -15,8 +15,14 @@ std::optional<Bezier> joined(const Bezier& first, const Bezier& second);
 /// Whether a segment of a path and the next one are parts of one divided curve.
 bool goesOnAfter(const Subpath& path, std::size_t segment);
 
+struct DrawnEllipse {
+    EllipseArc ellipse;
+    /// Any curve with handles of equal length is near to some ellipse. Certainly drawn as one are
+    /// parts of circles, quarters, and those with another part of the ellipse beside them.
+    bool isCertain;
+};
 /// The ellipse of which a curve of a path, with those of its neighbours that were divided off it,
 /// is a part.
-std::optional<EllipseArc> ellipseAt(const Subpath& path, std::size_t segment);
+std::optional<DrawnEllipse> ellipseAt(const Subpath& path, std::size_t segment);
 
 } // namespace app

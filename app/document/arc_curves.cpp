@@ -57,7 +57,7 @@ Subpath roundedRectangle(const Point& min, const Point& max, const Point& radii)
 
 namespace {
 
-constexpr double strays = 5e-4; // of the radius
+constexpr double strays = 5e-4; // of the radius, for a quarter turn
 
 /// The way from the centre, where the axes are those of the plane.
 Point wayFromCentre(const EllipseArc& ellipse, const Point& p)
@@ -67,10 +67,12 @@ Point wayFromCentre(const EllipseArc& ellipse, const Point& p)
     return {cross(p - centre, y) / all, cross(x, p - centre) / all};
 }
 
+// A flat curve that is drawn freely is near to an ellipse, too: the flatter, the nearer it must be.
 bool isOn(const EllipseArc& ellipse, const Point& p)
 {
     const Point there = onEllipse(ellipse, p);
-    return glm::distance(there, p) <= strays * glm::distance(there, ellipse.centre);
+    const double most = strays * std::pow(ellipse.sweep / quarterTurn, 3);
+    return glm::distance(there, p) <= most * glm::distance(there, ellipse.centre);
 }
 
 } // namespace

@@ -19,6 +19,8 @@ struct EllipseArc {
 
     Point at(double t) const;
     Point slope(double t) const;
+
+    friend bool operator==(const EllipseArc&, const EllipseArc&) = default;
 };
 
 /// Appends the curves of an arc. The first one begins at `from`, the last one ends at `to`, bit for
@@ -31,8 +33,8 @@ Subpath roundedRectangle(const Point& min, const Point& max, const Point& radii)
 
 /// The ellipse of which a curve is a part of up to a quarter turn, if it is drawn as programs draw
 /// such parts: in the middle and at the ends it is on the ellipse, elsewhere off by at most 0.03 %
-/// of the radius. The curve may be off by 0.05 % in all. Straight curves, and those shorter than
-/// 1/64 of a turn, have none.
+/// of the radius. The curve may be off by 0.05 % in all, flatter ones by less. Straight curves, and
+/// those shorter than 1/64 of a turn, have none.
 std::optional<EllipseArc> ellipseOf(const Bezier& curve);
 
 /// The angle of that point of an ellipse that is in the direction of another one, as seen from the
