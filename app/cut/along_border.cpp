@@ -13,93 +13,7 @@ namespace {
 
 constexpr double justAfterStart = 1e-300; // only a subpath's first chord begins at 0
 
-/// The box so far around a chord.
-clipping::Window around(const clipping::Segment& chord, double by)
-{
-    return {glm::min(chord.a, chord.b) - by, glm::max(chord.a, chord.b) + by};
-}
-
 } // namespace
-
-std::optional<CurvedBorder::Shared> CurvedBorder::shared(const Place& place,
-                                                         const TrueCurve& curve) const
-{
-    const Edge& edge = edgeAt(place);
-    const Point end = endOf(place);
-    if (isOf(edge, curve))
-        return Shared{edge.t0, edge.t1, edge.from, end, true};
-    double last = 0, first = 0, least = stillNear();
-    int direction = 0;
-    const auto passes = [&](const Point& p, bool begins) {
-        const double t = curve.near(p), distance = glm::distance(curve.at(t), p);
-        const double at = areSame(curve.at(t), curve.at(t < 0.5 ? 0 : 1)) ? std::round(t) : t;
-        const int way = at > last ? 1 : at < last ? -1 : 0;
-        const bool goesOn = begins || (way != 0 && (direction == 0 || way == direction));
-        direction = begins ? 0 : way;
-        last = at;
-        if (begins)
-            first = at;
-        least = std::min(least, distance);
-        return distance <= stillNear() && goesOn;
-    };
-    const auto isAlong = [&](const Point& p) { return passes(p, false); };
-    if (!passes(edge.from, true) || !std::ranges::all_of(between(place), isAlong) || !isAlong(end))
-        return std::nullopt;
-    const bool isNear = least <= near_;
-    return direction > 0 ? Shared{first, last, edge.from, end, isNear}
-                         : Shared{last, first, end, edge.from, isNear};
-}
-
-CurvedBorder::Beside CurvedBorder::beside(const TrueCurve& curve, std::span<const Chord> plain,
-                                          double tolerance) const
-{
-    const int parts = tolerance_ < tolerance ? int(std::sqrt(2 * tolerance / tolerance_)) + 1 : 1;
-    Beside found;
-    for (const auto& [chord, segment, t0, t1] : plain) {
-        const double most = tolerance + near_;
-        const std::size_t before = found.edges.size();
-        starts_.meeting(around(chord, most), 0, [&](std::uint32_t edge) {
-            if (placeOn(chord.a, chord.b, edgeAt(edges_[edge]).from).distance <= most)
-                found.edges.push_back(edge);
-        });
-        const int count = found.edges.size() > before ? parts : 1;
-        for (int k = 1; k < count; ++k) {
-            const double t = t0 + (t1 - t0) * k / count;
-            found.ends.push_back({t, curve.at(t)});
-        }
-        found.ends.push_back({t1, chord.b});
-    }
-    std::ranges::sort(found.edges);
-    found.edges.erase(std::ranges::unique(found.edges).begin(), found.edges.end());
-    return found;
-}
-
-std::vector<CurvedBorder::Shared>
-CurvedBorder::sharedWith(const TrueCurve& curve, std::span<const std::uint32_t> near) const
-{
-    std::map<double, Shared> all;      // by their high ends
-    for (const std::uint32_t i : near) // those of the first ring begin
-        if (const auto found = shared(edges_[i], curve); found && found->low < found->high) {
-            const auto after = all.upper_bound(found->low);
-            if (after == all.end() || after->second.low >= found->high)
-                all.emplace(found->high, *found);
-        }
-    std::vector<Shared> inOrder;
-    std::size_t run = 0; // where the last one begins
-    const auto endRun = [&] {
-        const auto begin = inOrder.begin() + std::ptrdiff_t(run);
-        if (std::none_of(begin, inOrder.end(), [](const Shared& part) { return part.isNear; }))
-            inOrder.erase(begin, inOrder.end());
-        run = inOrder.size();
-    };
-    for (const auto& [high, part] : all) {
-        if (inOrder.size() > run && inOrder.back().atHigh != part.atLow)
-            endRun();
-        inOrder.push_back(part);
-    }
-    endRun();
-    return inOrder;
-}
 
 /// From a corner on, in the direction of the ring, while its curve runs along a line.
 std::vector<Point> CurvedBorder::cornersAlong(const clipping::Segment& line, Place place) const
@@ -197,71 +111,69 @@ void CurvedBorder::flattenAlong(const Path& path, double tolerance,
     const std::size_t begin = chords.size();
     if (path.straight()) {
         flatten(path, tolerance, chords);
-    } else {
-        for (const Subpath& subpath : path.subpaths())
-            flattenTruly(subpath, tolerance, chords);
+        const auto isOnBorder = [&](const Chord& chord) { return !linesAlong(chord).empty(); };
+        if (isEmpty()
+            || std::none_of(chords.begin() + std::ptrdiff_t(begin), chords.end(), isOnBorder))
+            return;
+        chords.resize(begin);
     }
-    if (isEmpty())
-        return;
-    const auto isOnBorder = [&](const Chord& chord) { return !linesAlong(chord).empty(); };
-    if (path.straight()
-        && std::none_of(chords.begin() + std::ptrdiff_t(begin), chords.end(), isOnBorder))
-        return;
-    const std::vector<Chord> plain(chords.begin() + std::ptrdiff_t(begin), chords.end());
-    chords.resize(begin);
-    const std::vector<Subpath> subpaths = path.subpaths();
-    std::size_t subpath = 0, start = begin; // the first chord of the subpath
-    Point at{};
-    for (std::size_t i = 0, end = 0; i < plain.size(); i = end) {
-        const auto& [chord, segment, t0, t1] = plain[i];
-        const bool begins = segment == 0 && t0 == 0;
-        if (i > 0 && begins) {
-            ++subpath;
-            start = chords.size();
-        }
-        end = i + 1;
-        while (end < plain.size() && plain[end].pathSegment == segment && plain[end].t0 != 0)
-            ++end;
-        const auto own = std::span(plain).subspan(i, end - i);
-        const bool isCurved = isCurve(subpaths[subpath], segment);
-        if (begins || !(areSame(at, chord.a) || (isCurved && isBesideCorner(chord.a, at))))
-            at = chord.a;
-        if (isCurved) {
-            flattenAlong(subpaths[subpath], segment, own, tolerance, at, chords);
+    for (const Subpath& subpath : path.subpaths())
+        if (isEmpty() && sides_.empty()) {
+            flattenTruly(subpath, tolerance, chords);
         } else {
-            const std::vector<Chord> along = linesAlong(own.front());
-            const auto parts = along.empty() ? own : std::span(along);
-            const std::size_t first = chords.size();
-            chords.insert(chords.end(), parts.begin(), parts.end());
-            if (along.empty())
-                chords[first].segment.a = at;
-            if (first > start && areSame(chords.back().segment.b, chords[start].segment.a))
-                chords.back().segment.b = chords[start].segment.a;
-            at = chords.back().segment.b;
+            std::vector<Chord> plain;
+            flattenTruly(subpath, tolerance, plain);
+            flattenAlong(subpath, plain, tolerance, chords);
         }
+}
+
+void CurvedBorder::flattenAlong(const Subpath& path, std::span<const Chord> plain, double tolerance,
+                                std::vector<Chord>& chords) const
+{
+    const auto segments = along(path, plain, tolerance);
+    const std::size_t start = chords.size();
+    Point at{};
+    for (std::size_t i = 0; i < plain.size();) {
+        const std::size_t segment = plain[i].pathSegment;
+        const bool isCurved = segment < segments.size() && segments[segment];
+        const Point& begin = plain[i].segment.a;
+        if (i == 0 || !(areSame(at, begin) || (isCurved && isBesideCorner(begin, at))))
+            at = begin;
+        if (isCurved) {
+            flattenAlong(*segments[segment], at, chords);
+            i += segments[segment]->plain.size();
+            continue;
+        }
+        const std::vector<Chord> line = linesAlong(plain[i]);
+        const auto parts = line.empty() ? plain.subspan(i, 1) : std::span(line);
+        const std::size_t first = chords.size();
+        chords.insert(chords.end(), parts.begin(), parts.end());
+        if (line.empty())
+            chords[first].segment.a = at;
+        if (first > start && areSame(chords.back().segment.b, chords[start].segment.a))
+            chords.back().segment.b = chords[start].segment.a;
+        at = chords.back().segment.b;
+        ++i;
     }
 }
 
-/// One curve, with the chords that it has elsewhere; from `at`, and up to there.
-void CurvedBorder::flattenAlong(const Subpath& path, std::size_t segment,
-                                std::span<const Chord> plain, double tolerance, Point& at,
-                                std::vector<Chord>& chords) const
+/// One curve, from `at`, and up to there.
+void CurvedBorder::flattenAlong(const Along& along, Point& at, std::vector<Chord>& chords) const
 {
-    const TrueCurve curve = curveAt(path, segment);
-    const Beside near = beside(curve, plain, tolerance);
     double t = 0;
     const auto go = [&](const Point& to, double until) {
-        chords.push_back({{at, to}, plain.front().pathSegment, t, until});
+        chords.push_back({{at, to}, along.plain.front().pathSegment, t, until});
         at = to, t = until;
     };
+    auto next = along.near.ends.begin();
     const auto goPlainly = [&](const Point& to, double until) {
-        for (const CurvePoint& end : near.ends)
-            if (end.t > t && end.t < until)
-                go(end.point, end.t);
+        for (; next != along.near.ends.end() && next->t < until; ++next)
+            if (next->t > t)
+                go(next->point, next->t);
         if (until > t)
             go(to, until);
     };
-    for (const Shared& part : sharedWith(curve, near.edges)) {
+    for (const Shared& part : along.shared) {
         if (part.low == 0 && t == 0) {
             if (areSame(at, part.atLow) || isBesideCorner(at, part.atLow))
                 at = part.atLow;
@@ -274,7 +186,7 @@ void CurvedBorder::flattenAlong(const Subpath& path, std::size_t segment,
         go(part.atHigh, part.high);
     }
     constexpr double late = 0.5; // a closed curve begins there, too
-    const Point end = plain.back().segment.b;
+    const Point end = along.plain.back().segment.b;
     if (t > late && isBesideCorner(end, at)) {
         chords.back().t1 = 1;
         return;

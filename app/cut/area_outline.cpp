@@ -156,6 +156,8 @@ private:
 
     void append(const Side& side, const Point& end, std::vector<PathSegment>& segments) const
     {
+        if (side.window && side.start == end)
+            return; // a line ends on the border itself
         const bool isCurved = side.curved || side.border;
         if (!isCurved || side.from == side.to || (side.from < side.to) != side.isForward)
             return segments.push_back({end});

@@ -9,6 +9,60 @@
 // The polygon only tells which edge is met: a cut lies where the true curves meet.
 
 namespace app {
+namespace {
+
+/// Parameters of two curves.
+struct CurvePlaces {
+    double t, u;
+};
+
+/// Newton's steps; it may be on a neighbouring part of the same curves.
+std::optional<CurvePlaces> meetingNear(const TrueCurve& curve, const Chord& chord,
+                                       const CurvePart& part, CurvePlaces at)
+{
+    const double width = chord.t1 - chord.t0, reach = part.to - part.from;
+    constexpr int most = 20;
+    constexpr double little = 1e-15;
+    for (int i = 0; i < most; ++i) {
+        const Point gap = part.curve->at(at.u) - curve.at(at.t);
+        const Point along = curve.slope(at.t), across = part.curve->slope(at.u);
+        const double turn = cross(along, across);
+        const double byT = cross(gap, across) / turn, byU = cross(gap, along) / turn;
+        if (!std::isfinite(byT) || !std::isfinite(byU))
+            return std::nullopt;
+        at.t += byT;
+        at.u += byU;
+        if (at.t < std::max(0.0, chord.t0 - width) || at.t > std::min(1.0, chord.t1 + width)
+            || std::abs(at.u - part.from - reach / 2) > 1.5 * std::abs(reach))
+            return std::nullopt;
+        if (std::abs(byT) <= little && std::abs(byU) <= little)
+            break;
+    }
+    return at;
+}
+
+/// By bisection, if the ends of the chord are on both sides of the curve beside the part.
+std::optional<CurvePlaces> meetingBetween(const TrueCurve& curve, const Chord& chord,
+                                          const CurvePart& part)
+{
+    const auto [first, last] = std::minmax(part.from, part.to);
+    const double low = std::max(0.0, first - (last - first)),
+                 high = std::min(1.0, last + (last - first));
+    const auto besideOf = [&](double t) { return part.curve->near(curve.at(t), low, high); };
+    const auto isLeft = [&](double t) {
+        const double u = besideOf(t);
+        return cross(part.curve->slope(u), curve.at(t) - part.curve->at(u)) > 0;
+    };
+    double from = chord.t0, to = chord.t1;
+    const bool atFrom = isLeft(from);
+    if (atFrom == isLeft(to))
+        return std::nullopt;
+    for (double middle = (from + to) / 2; middle > from && middle < to; middle = (from + to) / 2)
+        (isLeft(middle) == atFrom ? from : to) = middle;
+    return CurvePlaces{from, besideOf(from)};
+}
+
+} // namespace
 
 std::optional<CurvedBorder::Place> CurvedBorder::edgeThrough(const Point& cut) const
 {
@@ -29,6 +83,57 @@ CurvePart CurvedBorder::partOf(const Place& place) const
 {
     const Edge& edge = edgeAt(place);
     return {&sourceOf(edge), edge.t0, edge.t1};
+}
+
+/// Where the curve of an edge meets straight edges, and curves of other windows with a higher
+/// number.
+void CurvedBorder::addCrossings(std::uint32_t number, Cuts& cuts) const
+{
+    const Place& place = edges_[number];
+    const Edge& edge = edgeAt(place);
+    if (!edge.isCurved())
+        return;
+    const TrueCurve& curve = sourceOf(edge);
+    const Chord chord{{edge.from, endOf(place)}, 0, edge.t0, edge.t1};
+    const clipping::Window box = around(chord.segment, touchesNear());
+    const auto isBetween = [&](const clipping::Segment& side, const Point& p) {
+        return placeOn(side.a, side.b, p).distance <= near_ / 1000;
+    };
+    sidesAt_.meeting(box, 0, [&](std::uint32_t side) {
+        if (const auto met = crossing(curve, chord, sides_[side]);
+            met && isBetween(sides_[side], met->point))
+            cuts.on[number].push_back({met->point, Ending::Line});
+    });
+    index_.meeting(box, number + 1, [&](std::uint32_t other) {
+        const Place& there = edges_[other];
+        const Edge& across = edgeAt(there);
+        if (!across.isCurved() || rings_[there.ring].window == rings_[place.ring].window
+            || areSame(curve.ellipse(), sourceOf(across).ellipse()) || isOf(across, curve))
+            return;
+        const clipping::Segment line{across.from, endOf(there)};
+        const auto sideOf = [](const clipping::Segment& of, const Point& p) {
+            return cross(of.b - of.a, p - of.a) > 0;
+        };
+        if (sideOf(line, chord.segment.a) == sideOf(line, chord.segment.b)
+            || sideOf(chord.segment, line.a) == sideOf(chord.segment, line.b))
+            return;
+        const auto met = meetingNear(curve, chord, partOf(there),
+                                     {(edge.t0 + edge.t1) / 2, (across.t0 + across.t1) / 2});
+        if (!met || met->t <= 0 || met->t >= 1 || met->u <= 0 || met->u >= 1)
+            return;
+        const Point p = curve.at(met->t);
+        cuts.on[edgeAt(edge.source, met->t)].push_back({p, Ending::Line});
+        cuts.on[edgeAt(across.source, met->u)].push_back({p, Ending::Line});
+    });
+}
+
+/// So that a corner of what several windows leave is where their true borders meet.
+void CurvedBorder::divideWhereWindowsCross()
+{
+    Cuts cuts;
+    for (std::uint32_t edge = 0; edge < edges_.size(); ++edge)
+        addCrossings(edge, cuts);
+    divide(cuts);
 }
 
 std::optional<CurvePart> CurvedBorder::partAlong(const clipping::Segment& edge) const
@@ -70,9 +175,11 @@ std::optional<BorderMeeting> CurvedBorder::meeting(const clipping::Segment& line
     for (const int axis : {0, 1})
         if (line.a[axis] == line.b[axis])
             met[axis] = line.a[axis];
-    const bool isBeyond =
-        glm::dot(met - line.a, line.b - line.a) < 0 || glm::dot(met - line.b, line.a - line.b) < 0;
-    return isBeyond ? std::nullopt : std::optional(BorderMeeting{met, 0, part.curve, low});
+    if (glm::dot(met - line.a, line.b - line.a) < 0) // it begins between the curve and its chord
+        met = line.a;
+    else if (glm::dot(met - line.b, line.a - line.b) < 0)
+        met = line.b;
+    return BorderMeeting{met, 0, part.curve, low};
 }
 
 std::optional<BorderMeeting> CurvedBorder::meeting(const TrueCurve& curve, const Chord& chord,
@@ -82,29 +189,20 @@ std::optional<BorderMeeting> CurvedBorder::meeting(const TrueCurve& curve, const
     if (!place)
         return std::nullopt;
     const CurvePart part = partOf(*place);
-    const double width = chord.t1 - chord.t0, reach = part.to - part.from;
-    double t = chord.t0 + width * placeOn(chord.segment.a, chord.segment.b, cut).share;
-    double u = part.parameterAt(placeOn(edgeAt(*place).from, endOf(*place), cut).share);
-    constexpr int most = 20;
-    for (int i = 0; i < most; ++i) {
-        const Point gap = part.curve->at(u) - curve.at(t);
-        const Point along = curve.slope(t), across = part.curve->slope(u);
-        const double turn = cross(along, across);
-        const double byT = cross(gap, across) / turn, byU = cross(gap, along) / turn;
-        if (!std::isfinite(byT) || !std::isfinite(byU))
-            return std::nullopt;
-        t += byT;
-        u += byU;
-        // It may be on a neighbouring part of the same curves.
-        if (t < std::max(0.0, chord.t0 - width) || t > std::min(1.0, chord.t1 + width)
-            || std::abs(u - part.from - reach / 2) > 1.5 * std::abs(reach))
-            return std::nullopt;
-        if (std::abs(byT) <= 1e-15 && std::abs(byU) <= 1e-15)
-            break;
-    }
-    const Point met = curve.at(t);
-    return glm::distance(met, part.curve->at(u)) <= near_ / 1e4
-               ? std::optional(BorderMeeting{met, t, part.curve, u})
+    const double share = placeOn(edgeAt(*place).from, endOf(*place), cut).share;
+    const CurvePlaces near{
+        chord.t0 + (chord.t1 - chord.t0) * placeOn(chord.segment.a, chord.segment.b, cut).share,
+        part.parameterAt(share)};
+    auto met = meetingNear(curve, chord, part, near);
+    const bool isInside = met && met->t >= chord.t0 && met->t <= chord.t1;
+    if (!isInside)
+        if (const auto between = meetingBetween(curve, chord, part))
+            met = between;
+    if (!met)
+        return std::nullopt;
+    const Point p = curve.at(met->t);
+    return glm::distance(p, part.curve->at(met->u)) <= near_ / 1e4
+               ? std::optional(BorderMeeting{p, met->t, part.curve, met->u})
                : std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include <numbers>
 #include <utility>
 
 namespace app {
@@ -43,6 +44,11 @@ CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page, double 
     makeIndex();
     if (withRings_.size() > 1)
         divideAtEndsOfWindows();
+    addSides();
+    if (windows.list.size() > 1)
+        divideWhereWindowsCross();
+    if (sides == Sides::No)
+        sides_.clear();
 }
 
 CurvedBorder::CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page,
@@ -61,6 +67,28 @@ CurvedBorder::Sides CurvedBorder::sidesFor(const Objects& objects)
         hasCurves = hasCurves || (!object.singleLine() && !object.path().straight());
     });
     return hasCurves ? Sides::Yes : Sides::No;
+}
+
+/// The straight edges of all windows.
+void CurvedBorder::addSides()
+{
+    for (const ClipWindow& window : windows_.list) {
+        const auto* shape = std::get_if<PathShape>(&window.shape);
+        if (!window.visible || (shape && !shape->path.straight()))
+            continue;
+        for (const auto& ring : outlineOf(window.shape, tolerance_).rings)
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                sides_.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    }
+    for (const Ring& ring : rings_)
+        for (std::size_t i = 0; i < ring.edges.size(); ++i)
+            if (!ring.edges[i].isCurved())
+                sides_.push_back(
+                    {ring.edges[i].from, ring.edges[(i + 1) % ring.edges.size()].from});
+    std::vector<clipping::Window> boxes;
+    for (const clipping::Segment& side : sides_)
+        boxes.push_back(around(side, 0));
+    sidesAt_ = BoxIndex(boxes);
 }
 
 void CurvedBorder::add(const PathShape& shape, std::size_t window)
@@ -108,6 +136,18 @@ TrueCurve CurvedBorder::curveAt(const Subpath& path, std::size_t segment) const
             }};
 }
 
+bool CurvedBorder::areSame(const std::optional<EllipseArc>& a,
+                           const std::optional<EllipseArc>& b) const
+{
+    if (!a || !b || !areSame(a->centre, b->centre))
+        return false;
+    const Point &x = b->axis1, &y = b->axis2;
+    const std::array some{x, y, (x + y) * std::numbers::sqrt2 * 0.5};
+    return std::ranges::all_of(some, [&](const Point& way) {
+        return areSame(onEllipse(*a, b->centre + way), b->centre + way);
+    });
+}
+
 // Each part of the edge is 64 times nearer to the curve than the edge.
 std::array<Point, 7> CurvedBorder::between(const Place& place) const
 {
@@ -124,12 +164,18 @@ std::array<Point, 7> CurvedBorder::between(const Place& place) const
 void CurvedBorder::makeIndex()
 {
     edges_.clear();
-    std::vector<clipping::Window> boxes, starts;
+    edgesOf_.assign(sources_.size(), {0, 0});
+    std::vector<clipping::Window> boxes, starts, curves;
     for (std::size_t i = 0; i < rings_.size(); ++i)
         for (std::size_t j = 0; j < rings_[i].edges.size(); ++j) {
             const Edge& edge = rings_[i].edges[j];
             if (edge.isStraight())
                 continue;
+            if (edge.isCurved()) {
+                auto& [first, end] = edgesOf_[edge.source];
+                first = end == 0 ? std::uint32_t(edges_.size()) : first;
+                end = std::uint32_t(edges_.size()) + 1;
+            }
             edges_.push_back({i, j});
             const Point& end = endOf(edges_.back());
             clipping::Window box{glm::min(edge.from, end), glm::max(edge.from, end)};
@@ -138,7 +184,10 @@ void CurvedBorder::makeIndex()
             boxes.push_back({box.min - near_, box.max + near_});
             starts.push_back({edge.from, edge.from});
         }
+    for (const TrueCurve& source : sources_)
+        curves.push_back(source.box());
     index_ = BoxIndex(boxes);
+    curves_ = BoxIndex(curves);
     starts_ = BoxIndex(starts);
 }
 

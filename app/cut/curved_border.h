@@ -7,6 +7,7 @@
 #include "app/document/document.h"
 #include "app/document/flatten.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <array>
@@ -51,8 +52,11 @@ public:
     bool isEmpty() const { return edges_.empty(); }
 
     /// Divides the border where curves and lines of the drawing begin or end on it, so that what
-    /// ends on it is not cut there.
-    void divideAtEndsIn(const Objects& objects, const std::stop_token& stop = {});
+    /// ends on it is not cut there; and where they pass so near beside it that its polygon would
+    /// not tell whether they meet it (touching_border.cpp).
+    void divideFor(const Objects& objects, double tolerance, const std::stop_token& stop = {});
+    /// The border, divided where lines pass beside it; empty if it need not be.
+    std::optional<CurvedBorder> dividedFor(std::span<const clipping::Segment> lines) const;
     /// The windows as polygons; of areas, flattenAlong() gives them.
     ClipWindows polygons() const;
 
@@ -63,8 +67,8 @@ public:
     /// the path is.
     void flattenAlong(const Path& path, double tolerance, std::vector<Chord>& chords) const;
 
-    /// Where a line that is cut at a point of the polygons meets the border itself. Empty: the
-    /// point is not on a curved edge, or the line ends between the curve and its chord.
+    /// Where a line that is cut at a point of the polygons meets the border itself; its own end if
+    /// that is between the curve and its chord. Empty: the point is not on a curved edge.
     std::optional<BorderMeeting> meeting(const clipping::Segment& line, const Point& cut) const;
     /// Where the curve of a chord that is cut there meets it.
     std::optional<BorderMeeting> meeting(const TrueCurve& curve, const Chord& chord,
@@ -94,8 +98,9 @@ private:
     struct Shared {
         double low, high;
         Point atLow, atHigh;
-        bool isNear; ///< a place of it is within `near_`, all others at least within twice that
+        int near = 0, same = 0; ///< so many of `places` are within `near_`, or much nearer
     };
+    static constexpr int places = 9; ///< of an edge that are looked at, its ends among them
     /// An edge along which curves may run, by the numbers of its ring and of it there.
     struct Place {
         std::size_t ring, edge;
@@ -103,14 +108,22 @@ private:
 
     void flattenTruly(const Subpath& path, double tolerance, std::vector<Chord>& chords) const;
     void divideAtEndsOfWindows();
+    void divideWhereWindowsCross();
     void add(const PathShape& shape, std::size_t window);
     void add(const Subpath& path, std::size_t window);
     void makeIndex();
+    /// The box so far around a chord.
+    static clipping::Window around(const clipping::Segment& chord, double by)
+    {
+        return {glm::min(chord.a, chord.b) - by, glm::max(chord.a, chord.b) + by};
+    }
     /// Whether two points are the same but for rounding: usually, a nanometre on paper.
     bool areSame(const Point& p, const Point& q) const
     {
         return glm::distance(p, q) <= near_ / 1000;
     }
+    /// Whether two curves are parts of one ellipse.
+    bool areSame(const std::optional<EllipseArc>& a, const std::optional<EllipseArc>& b) const;
     const Edge& edgeAt(const Place& place) const { return rings_[place.ring].edges[place.edge]; }
     CurvePart partOf(const Place& place) const;
     std::optional<Place> edgeThrough(const Point& cut) const;
@@ -132,6 +145,26 @@ private:
         bool moved = false;                           ///< a corner is elsewhere now
     };
     void divideAtEndsOf(const Path& path, Cuts& cuts);
+    void addSides();
+    void addCrossings(std::uint32_t edge, Cuts& cuts) const;
+    /// Adds the ends that a curve's chord needs beside straight edges of windows.
+    void addSidesBeside(const TrueCurve& curve, const Chord& chord, double tolerance,
+                        std::vector<CurvePoint>& ends) const;
+    void addTouchesOf(const ObjectView& object, double tolerance, Cuts& cuts) const;
+    void addTouches(const clipping::Segment& line, Cuts& cuts) const;
+    void addTouches(const TrueCurve& curve, const CurvePoint& from, const CurvePoint& to,
+                    std::uint32_t edge, Cuts& cuts) const;
+    struct Gap {
+        double u, distance;
+        double turn; ///< from the curve's direction to the border's; 0 where they are parallel
+    };
+    static Gap gapAt(const TrueCurve& curve, double t, const TrueCurve& border, const Edge& edge);
+    std::uint32_t edgeAt(std::uint32_t source, double t) const;
+    /// Whether polygons are so near to the border that its curves may count where they touch the
+    /// drawing's: for windows. Thousands of areas would take too long.
+    bool isFine() const { return tolerance_ <= near_; }
+    /// How far a chord may be from a point that it cuts off its curve, or the border's.
+    double touchesNear() const { return 1.5 * tolerance_; }
     void divideAt(const Point& p, Ending ending, Cuts& cuts);
     /// Places on an edge's curve between the ends of its chord.
     std::array<Point, 7> between(const Place& place) const;
@@ -151,18 +184,41 @@ private:
     Corner cornerOn(const Place& place, const Point& p) const;
     std::vector<Edge> divided(const Place& place, std::span<const Cut> cuts) const;
     void divide(const Cuts& cuts);
-    std::optional<Shared> shared(const Place& place, const TrueCurve& curve) const;
+    /// An edge that begins beside a curve, and where that is on the curve.
+    struct Near {
+        std::uint32_t edge;
+        double t, distance;
+    };
+    /// The edge of one of those beside the curve.
+    std::optional<Shared> shared(const Near& from, std::span<const Near> all,
+                                 const TrueCurve& curve) const;
+    std::optional<double> parameterAtEnd(const Place& place, std::span<const Near> all) const;
     bool isOf(const Edge& edge, const TrueCurve& curve) const
     {
         return edge.isCurved() && sourceOf(edge) == curve;
     }
-    void flattenAlong(const Subpath& path, std::size_t segment, std::span<const Chord> plain,
-                      double tolerance, Point& at, std::vector<Chord>& chords) const;
     struct Beside {
-        std::vector<std::uint32_t> edges; ///< those that begin beside a curve
-        std::vector<CurvePoint> ends;     ///< of the curve's chords, which are short beside them
+        std::vector<Near> edges;
+        /// Of the curve's chords, which are short beside them; also where it passes their corners.
+        std::vector<CurvePoint> ends;
     };
+    /// A curve of a path at the border.
+    struct Along {
+        TrueCurve curve;
+        std::span<const Chord> plain; ///< its chords elsewhere
+        Beside near;
+        std::vector<Shared> shared; ///< in order, none over another
+    };
+    /// For each segment of a path, with its chords, whether it is a curve.
+    std::vector<std::optional<Along>> along(const Subpath& path, std::span<const Chord> plain,
+                                            double tolerance) const;
+    void dropTouches(const Subpath& path, std::vector<std::optional<Along>>& segments) const;
+    bool turnsAt(const Point& p) const;
+    void flattenAlong(const Subpath& path, std::span<const Chord> plain, double tolerance,
+                      std::vector<Chord>& chords) const;
+    void flattenAlong(const Along& along, Point& at, std::vector<Chord>& chords) const;
     /// `plain` are chords within the tolerance of it.
+    void addCorners(const TrueCurve& curve, Beside& near) const;
     Beside beside(const TrueCurve& curve, std::span<const Chord> plain, double tolerance) const;
     /// Who is within `near_` of a border runs along it as long as it is within this, so that two
     /// curves that are as far apart are not divided again and again.
@@ -181,18 +237,21 @@ private:
     std::vector<Point> cornersAlong(const clipping::Segment& line, Place place) const;
     /// The chords of a line along the border, up to both ends; empty: it is not along it.
     std::vector<Chord> linesAlong(const Chord& chord) const;
-    /// Those along the curve, in order, none over another.
-    std::vector<Shared> sharedWith(const TrueCurve& curve,
-                                   std::span<const std::uint32_t> near) const;
+    std::vector<Shared> sharedWith(const TrueCurve& curve, std::span<const Near> near) const;
 
     ClipWindows windows_;
     std::vector<std::size_t> withRings_; ///< the numbers of windows with rings
     double tolerance_ = 0, near_ = 0;    ///< in user units
     std::vector<TrueCurve> sources_;
     std::vector<Ring> rings_;
-    std::vector<Place> edges_; ///< along which curves may run
-    BoxIndex index_;           ///< of these
-    BoxIndex starts_;          ///< of their first points
+    std::vector<Place> edges_;             ///< along which curves may run
+    BoxIndex index_;                       ///< of these
+    BoxIndex starts_;                      ///< of their first points
+    BoxIndex curves_;                      ///< of the sources
+    std::vector<clipping::Segment> sides_; ///< straight edges of windows, if there are curves
+    BoxIndex sidesAt_;
+    /// The edges of each source, which follow each other.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edgesOf_;
 };
 
 } // namespace app

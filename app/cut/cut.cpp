@@ -90,7 +90,7 @@ CutOptions withTolerance(CutOptions options, const Page& page)
 CutOptions dividedAt(CurvedBorder& border, const Document& document, CutOptions options,
                      const std::stop_token& stop)
 {
-    border.divideAtEndsIn(document.objects(), stop);
+    border.divideFor(document.objects(), options.tolerance, stop);
     return atPolygons(std::move(options), border, document.page());
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/background.h"
+#include "app/base/in_parallel.h"
 #include "app/cut/curved_border.h"
 #include "app/cut/true_curve.h"
 
@@ -9,16 +11,31 @@
 #include <limits>
 
 namespace app {
-void CurvedBorder::divideAtEndsIn(const Objects& objects, const std::stop_token& stop)
+void CurvedBorder::divideFor(const Objects& objects, double tolerance, const std::stop_token& stop)
 {
     if (isEmpty())
         return;
-    Cuts cuts;
+    Cuts ends;
     objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
         if (!stop.stop_requested())
-            divideAtEndsOf(object.path(), cuts);
+            divideAtEndsOf(object.path(), ends);
     });
-    divide(cuts);
+    divide(ends);
+    constexpr std::size_t atOnce = 512;
+    std::vector<Cuts> touches((objects.size() + atOnce - 1) / atOnce);
+    inParallel(paintingThreads(), workersOf(paintingThreads()), touches.size(),
+               [&](std::size_t i, std::size_t) {
+                   objects.forEach(i * atOnce, std::min(atOnce, objects.size() - i * atOnce),
+                                   [&](std::size_t, const ObjectView& object) {
+                                       if (!stop.stop_requested())
+                                           addTouchesOf(object, tolerance, touches[i]);
+                                   });
+               });
+    Cuts all;
+    for (Cuts& each : touches)
+        for (auto& [edge, cuts] : each.on)
+            std::ranges::move(cuts, std::back_inserter(all.on[edge]));
+    divide(all);
 }
 
 /// Where the border of one window begins or ends on that of another one.

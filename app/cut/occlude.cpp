@@ -31,7 +31,7 @@ public:
     Cut made()
     {
         border_.emplace(borders(), options_.tolerance, document_.page(), options_.coincident);
-        border_->divideAtEndsIn(document_.objects(), follower_.stop);
+        border_->divideFor(document_.objects(), options_.tolerance, follower_.stop);
         auto all = areas();
         const std::size_t number = all.size();
         Covering covering(std::move(all), follower_.stop);

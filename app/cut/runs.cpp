@@ -84,13 +84,14 @@ public:
     {
         const Chord& chord = chords_[part.chord];
         const bool curve = isCurve(path_, chord.pathSegment);
-        const bool fresh = part.segment.a != chord.segment.a;
-        const bool over = part.segment.b != chord.segment.b;
         End begin{chord.t0, part.segment.a}, end{chord.t1, part.segment.b};
-        if (fresh)
+        if (begin.point != chord.segment.a)
             begin = cutAt(chord, begin, part.edgeA);
-        if (over)
+        if (end.point != chord.segment.b)
             end = cutAt(chord, end, part.edgeB);
+        if (!curve && begin.point == end.point && part.segment.a != part.segment.b)
+            return; // it is beside the border itself
+        const bool fresh = begin.point != chord.segment.a, over = end.point != chord.segment.b;
         if (fresh || !open_ || part.chord != next_) {
             finishCurve();
             runs_.push_back({{begin.point, {}, false}, lengthBefore(part)});

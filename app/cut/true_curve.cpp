@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/true_curve.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -53,6 +54,16 @@ Point TrueCurve::slope(double t) const
     return ellipse_ ? ellipse_->sweep * ellipse_->slope(angleAt(t)) : drawn_.slope(t);
 }
 
+// Both for one sine and cosine.
+std::pair<Point, Point> TrueCurve::placeAt(double t) const
+{
+    if (!ellipse_)
+        return {drawn_.at(t), drawn_.slope(t)};
+    const auto& [centre, axis1, axis2, angle, sweep] = *ellipse_;
+    const double c = std::cos(angleAt(t)), s = std::sin(angleAt(t));
+    return {centre + axis1 * c + axis2 * s, sweep * (axis2 * c - axis1 * s)};
+}
+
 double TrueCurve::near(const Point& p) const
 {
     if (!ellipse_)
@@ -64,21 +75,64 @@ double TrueCurve::near(const Point& p) const
     return near(p, std::clamp(t - little, 0.0, 1.0), std::clamp(t + little, 0.0, 1.0));
 }
 
-double TrueCurve::near(const Point& p, double low, double high) const
+double TrueCurve::near(const Point& p, double low, double high, double guess) const
 {
-    double t = low + (high - low) / 2;
+    double t = guess;
     constexpr int most = 12;
+    constexpr double little = 1e-15;
     for (int i = 0; i < most; ++i) {
-        const Point along = slope(t);
+        const auto [on, along] = placeAt(t);
         const double length = glm::dot(along, along);
         if (!(length > 0))
             break;
         const double last = t;
-        t = std::clamp(t + glm::dot(p - at(t), along) / length, low, high);
-        if (std::abs(t - last) <= 0x1p-52)
+        t = std::clamp(t + glm::dot(p - on, along) / length, low, high);
+        if (std::abs(t - last) <= little)
             break;
     }
     return t;
+}
+
+TrueCurve::Places TrueCurve::parallelTo(const Point& direction) const
+{
+    Places places;
+    if (ellipse_) {
+        const double angle =
+            std::atan2(cross(direction, ellipse_->axis2), cross(direction, ellipse_->axis1));
+        for (const double each : {angle, angle + std::numbers::pi})
+            places.add(
+                0.5 + std::remainder(each - angleAt(0.5), 2 * std::numbers::pi) / ellipse_->sweep);
+        return places;
+    }
+    const double first = cross(direction, drawn_.control1 - drawn_.from),
+                 second = cross(direction, drawn_.control2 - drawn_.control1),
+                 third = cross(direction, drawn_.to - drawn_.control2);
+    const double a = first - 2 * second + third, b = second - first;
+    const double root = b * b - a * first;
+    if (root < 0)
+        return places;
+    const double q = -(b + std::copysign(std::sqrt(root), b)); // no difference of equal numbers
+    if (a != 0)
+        places.add(q / a);
+    if (q != 0)
+        places.add(first / q);
+    return places;
+}
+
+clipping::Window TrueCurve::box() const
+{
+    if (ellipse_) {
+        const auto& [centre, a, b, angle, sweep] = *ellipse_;
+        const Point reach(std::hypot(a.x, b.x), std::hypot(a.y, b.y));
+        clipping::Window all{centre - reach, centre + reach};
+        const Point stray = Point(glm::distance(drawn_.from, drawn_.control1)
+                                  + glm::distance(drawn_.control1, drawn_.control2)
+                                  + glm::distance(drawn_.control2, drawn_.to));
+        return {glm::max(all.min, glm::min(begin_, end_) - stray),
+                glm::min(all.max, glm::max(begin_, end_) + stray)};
+    }
+    return {glm::min(glm::min(drawn_.from, drawn_.control1), glm::min(drawn_.control2, drawn_.to)),
+            glm::max(glm::max(drawn_.from, drawn_.control1), glm::max(drawn_.control2, drawn_.to))};
 }
 
 std::vector<CurvePoint> TrueCurve::points(double tolerance) const

@@ -7,7 +7,9 @@
 #include "app/document/flatten.h"
 #include "app/document/subpath.h"
 
+#include <array>
 #include <optional>
+#include <utility>
 
 namespace app {
 
@@ -41,8 +43,26 @@ public:
     Point slope(double t) const; ///< the derivative
     /// The parameter of the place that is nearest to a point; of an ellipse, if the point is near.
     double near(const Point& p) const;
-    /// The same of the part [low, high], which hardly bends.
-    double near(const Point& p, double low, double high) const;
+    /// The same of the part [low, high], which hardly bends, from a guess on.
+    double near(const Point& p, double low, double high, double guess) const;
+    double near(const Point& p, double low, double high) const
+    {
+        return near(p, low, high, low + (high - low) / 2);
+    }
+    struct Places {
+        std::array<double, 2> t;
+        int count = 0;
+        const double* begin() const { return t.data(); }
+        const double* end() const { return t.data() + count; }
+        void add(double place)
+        {
+            if (place > 0 && place < 1 && count < 2)
+                t[std::size_t(count++)] = place;
+        }
+    };
+    /// Where the curve has a direction, in either sense, between its ends.
+    Places parallelTo(const Point& direction) const;
+    clipping::Window box() const; ///< around the curve, not the smallest one
     /// The curve's chord ends, the first one at 0, each chord within a tolerance of its part.
     std::vector<CurvePoint> points(double tolerance) const;
     /// Appends the part between two parameters, in either direction, which begins and ends at these
@@ -55,6 +75,7 @@ public:
 private:
     explicit TrueCurve(const Bezier& drawn) : drawn_(drawn), begin_(drawn.from), end_(drawn.to) {}
     void countAs(const EllipseArc& ellipse);
+    std::pair<Point, Point> placeAt(double t) const; ///< the point and the slope
     double angleAt(double t) const { return ellipse_->angle + ellipse_->sweep * t; }
 
     Bezier drawn_;

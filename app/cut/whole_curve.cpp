@@ -40,10 +40,14 @@ bool isCircle(const EllipseArc& ellipse)
            && std::abs(glm::dot(ellipse.axis1, ellipse.axis2)) <= rounding * a * b;
 }
 
+/// Between the axes, as corners of rounded rectangles are.
 bool isQuarter(const EllipseArc& ellipse)
 {
     constexpr double most = 0.01; // what programs make of 4/3 tan(π / 8)
-    return std::abs(std::abs(ellipse.sweep) - std::numbers::pi / 2) <= most;
+    const Point begin = ellipse.slope(ellipse.angle),
+                end = ellipse.slope(ellipse.angle + ellipse.sweep);
+    return std::abs(std::abs(ellipse.sweep) - std::numbers::pi / 2) <= most
+           && std::abs(glm::dot(begin, end)) <= most * glm::length(begin) * glm::length(end);
 }
 
 bool isOn(const EllipseArc& ellipse, const Bezier& curve)

@@ -18,7 +18,8 @@ bool goesOnAfter(const Subpath& path, std::size_t segment);
 struct DrawnEllipse {
     EllipseArc ellipse;
     /// Any curve with handles of equal length is near to some ellipse. Certainly drawn as one are
-    /// parts of circles, quarters, and those with another part of the ellipse beside them.
+    /// parts of circles, quarters between the axes, and those with another part of the ellipse
+    /// beside them.
     bool isCertain;
 };
 /// The ellipse of which a curve of a path, with those of its neighbours that were divided off it,

@@ -16,6 +16,17 @@ clipping::Window around(const clipping::Window& a, const clipping::Window& b)
     return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
 }
 
+clipping::Segment atTrueCurves(const CurvedBorder& border, const clipping::Segment& piece,
+                               const clipping::Segment& line)
+{
+    const auto moved = [&](const Point& end, const Point& whole) {
+        const auto met = end == whole ? std::nullopt : border.meeting(line, end);
+        return met ? met->point : end;
+    };
+    return border.isEmpty() ? piece
+                            : clipping::Segment{moved(piece.a, line.a), moved(piece.b, line.b)};
+}
+
 bool isPointPiece(const clipping::Clipped& piece) { return piece.segment.a == piece.segment.b; }
 
 } // namespace
@@ -36,11 +47,21 @@ void TableCounts::add(const TableCounts& more)
 
 void BlockCut::cut(const TableRows& rows)
 {
+    // What blocks before this one need does not count, so that the rows do not depend on them.
+    auto divided = all_.border.dividedFor(rows.lines());
+    if (!divided)
+        return cutAt(all_, rows);
+    Windows windows(options_, std::move(*divided));
+    cutAt(windows, rows);
+}
+
+void BlockCut::cutAt(Windows& windows, const TableRows& rows)
+{
     const std::vector<clipping::Segment>& lines = rows.lines();
     text_.clear();
     counts_ = {};
     countBounds(lines);
-    auto kept = clipping_.keptOf(lines);
+    auto kept = windows.clipping.keptOf(lines);
     for (std::size_t line = 0; line < lines.size(); ++line) {
         std::size_t count = 0;
         while (count < kept.size() && kept[count].source == line)
@@ -48,7 +69,7 @@ void BlockCut::cut(const TableRows& rows)
         const bool whole = count == 1 && kept.front().segment == lines[line];
         const bool touches =
             !whole && count > 0 && std::ranges::all_of(kept.first(count), isPointPiece);
-        const std::size_t written = writePieces(rows, line, kept.first(count));
+        const std::size_t written = writePieces(windows.border, rows, line, kept.first(count));
         counts_.lines.whole += whole;
         counts_.lines.touching += touches;
         counts_.lines.cut += written > 0 && !whole && !touches;
@@ -59,33 +80,22 @@ void BlockCut::cut(const TableRows& rows)
     counts_.lines.segmentsBefore = lines.size();
 }
 
-std::size_t BlockCut::writePieces(const TableRows& rows, std::size_t line,
-                                  std::span<const clipping::Clipped> pieces)
+std::size_t BlockCut::writePieces(const CurvedBorder& border, const TableRows& rows,
+                                  std::size_t line, std::span<const clipping::Clipped> pieces)
 {
     std::size_t written = 0;
     for (const auto& [atPolygon, source, cut] : pieces) {
-        const clipping::Segment piece = atTrueCurves(atPolygon, rows.lines()[line]);
+        const clipping::Segment piece = atTrueCurves(border, atPolygon, rows.lines()[line]);
         const auto [a, b] = piece;
         const bool tooShort = options_.cut.leastLength > 0 && !(piece == rows.lines()[line])
                               && std::hypot(b.x - a.x, b.y - a.y) < options_.cut.leastLength;
         counts_.lines.dropped += tooShort;
-        if (tooShort)
+        if (tooShort || (piece.a == piece.b && atPolygon.a != atPolygon.b))
             continue;
         write(piece, rows, line);
         ++written;
     }
     return written;
-}
-
-clipping::Segment BlockCut::atTrueCurves(const clipping::Segment& piece,
-                                         const clipping::Segment& line) const
-{
-    const auto moved = [&](const Point& end, const Point& whole) {
-        const auto met = end == whole ? std::nullopt : border_.meeting(line, end);
-        return met ? met->point : end;
-    };
-    return border_.isEmpty() ? piece
-                             : clipping::Segment{moved(piece.a, line.a), moved(piece.b, line.b)};
 }
 
 void BlockCut::write(const clipping::Segment& piece, const TableRows& rows, std::size_t line)

@@ -30,8 +30,8 @@ class BlockCut {
 public:
     /// `options` must outlive this object.
     explicit BlockCut(const CutRows& options)
-        : options_(options), border_(options.cut.windows, options.page, options.cut.coincident),
-          cut_(atPolygons(options.cut, border_, options.page)), clipping_(cut_)
+        : options_(options),
+          all_(options, {options.cut.windows, options.page, options.cut.coincident})
     {
     }
 
@@ -42,17 +42,29 @@ public:
     const TableCounts& counts() const { return counts_; }
 
 private:
-    std::size_t writePieces(const TableRows& rows, std::size_t line,
+    /// The windows, as polygons that are near enough to their curves.
+    struct Windows {
+        Windows(const CutRows& options, CurvedBorder curves)
+            : border(std::move(curves)), cut(atPolygons(options.cut, border, options.page)),
+              clipping(cut)
+        {
+        }
+        Windows(const Windows&) = delete; // clipping refers to cut
+        Windows& operator=(const Windows&) = delete;
+
+        CurvedBorder border;
+        CutOptions cut;
+        LineClipping clipping;
+    };
+
+    void cutAt(Windows& windows, const TableRows& rows);
+    std::size_t writePieces(const CurvedBorder& border, const TableRows& rows, std::size_t line,
                             std::span<const clipping::Clipped> pieces);
-    clipping::Segment atTrueCurves(const clipping::Segment& piece,
-                                   const clipping::Segment& line) const;
     void write(const clipping::Segment& piece, const TableRows& rows, std::size_t line);
     void countBounds(std::span<const clipping::Segment> lines);
 
     const CutRows& options_;
-    CurvedBorder border_;
-    CutOptions cut_;
-    LineClipping clipping_;
+    Windows all_; ///< for any block
     std::string text_;
     TableCounts counts_;
 };
