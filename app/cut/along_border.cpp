@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace app {
 namespace {
@@ -123,7 +124,10 @@ void CurvedBorder::flattenAlong(const Path& path, double tolerance,
         } else {
             std::vector<Chord> plain;
             flattenTruly(subpath, tolerance, plain);
-            flattenAlong(subpath, plain, tolerance, chords);
+            if (isBeside(plain, tolerance))
+                flattenAlong(subpath, plain, tolerance, chords);
+            else
+                chords.insert(chords.end(), plain.begin(), plain.end());
         }
 }
 
@@ -137,7 +141,7 @@ void CurvedBorder::flattenAlong(const Subpath& path, std::span<const Chord> plai
         const std::size_t segment = plain[i].pathSegment;
         const bool isCurved = segment < segments.size() && segments[segment];
         const Point& begin = plain[i].segment.a;
-        if (i == 0 || !(areSame(at, begin) || (isCurved && isBesideCorner(begin, at))))
+        if (i == 0 || glm::distance(at, begin) > (isCurved ? stillNear() : near_ / 1000))
             at = begin;
         if (isCurved) {
             flattenAlong(*segments[segment], at, chords);
@@ -155,6 +159,49 @@ void CurvedBorder::flattenAlong(const Subpath& path, std::span<const Chord> plai
         at = chords.back().segment.b;
         ++i;
     }
+    // Beside the start the border may have two corners.
+    const Point& begin = chords[start].segment.a;
+    if (at != begin && isEdge(at, begin))
+        chords.push_back({{at, begin}, plain.back().pathSegment, 1, 1});
+}
+
+bool CurvedBorder::isBeside(const clipping::Window& box) const
+{
+    bool is = false;
+    index_.meeting(box, 0, [&](std::uint32_t) { is = true; });
+    if (!is)
+        sidesAt_.meeting(box, 0, [&](std::uint32_t) { is = true; });
+    return is;
+}
+
+bool CurvedBorder::isBeside(std::span<const Chord> chords, double tolerance) const
+{
+    clipping::Window box = around(chords.front().segment, 0);
+    for (const Chord& chord : chords)
+        box = {glm::min(box.min, chord.segment.b), glm::max(box.max, chord.segment.b)};
+    const double by = tolerance + stillNear();
+    return isBeside(clipping::Window{box.min - by, box.max + by});
+}
+
+bool CurvedBorder::isBeside(const Path& path) const
+{
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    clipping::Window box{Point(infinite), Point(-infinite)};
+    path.forEachPoint([&](const Point& p) { box = {glm::min(box.min, p), glm::max(box.max, p)}; });
+    constexpr double strays = 1e-3; // an ellipse from the curve that draws it
+    const double by = stillNear() + strays * glm::distance(box.min, box.max);
+    return isBeside(clipping::Window{box.min - by, box.max + by});
+}
+
+/// Whether an edge of the border leads from a point to another one, in either direction.
+bool CurvedBorder::isEdge(const Point& from, const Point& to) const
+{
+    bool is = false;
+    for (const auto& [begin, end] : {std::pair(from, to), std::pair(to, from)})
+        forEdgesFrom(begin, [&](std::uint32_t edge) {
+            is = is || (edgeAt(edges_[edge]).from == begin && endOf(edges_[edge]) == end);
+        });
+    return is;
 }
 
 /// One curve, from `at`, and up to there.
@@ -174,11 +221,13 @@ void CurvedBorder::flattenAlong(const Along& along, Point& at, std::vector<Chord
             go(to, until);
     };
     for (const Shared& part : along.shared) {
-        if (part.low == 0 && t == 0) {
-            if (areSame(at, part.atLow) || isBesideCorner(at, part.atLow))
-                at = part.atLow;
-            else
-                go(part.atLow, justAfterStart); // across the border
+        if (t == 0 && glm::distance(along.curve.at(part.low), along.curve.at(0)) <= stillNear()) {
+            const bool isBeside = areSame(at, part.atLow) || isBesideCorner(at, part.atLow);
+            if (at != part.atLow && (!isBeside || isEdge(at, part.atLow)))
+                go(part.atLow, justAfterStart); // across the border, or along it
+            else if (areSame(at, part.atLow) && along.plain.front().pathSegment > 0)
+                chords.back().segment.b = part.atLow;
+            at = part.atLow;
         } else if (part.low < t || (part.low == t && part.atLow != at)) {
             continue;
         }

@@ -21,6 +21,7 @@ struct Side {
     Chord first{}, last{};                     ///< of the path, in the direction of the side
     /// The side begins, or ends, beside the curve: a short line leads to it.
     bool missesStart = false, missesEnd = false;
+    int passed = 0; ///< so many of a window side's ends are where a line ends before it meets it
 };
 
 bool goesOn(const Side& side, const Side& next)
@@ -50,7 +51,7 @@ public:
         Subpath ring{sides_.front().start, {}, true};
         for (std::size_t i = 0; i < sides_.size(); ++i)
             append(sides_[i], sides_[(i + 1) % sides_.size()].start, ring.segments);
-        if (!ring.segments.back().curved)
+        if (!ring.segments.empty() && !ring.segments.back().curved)
             ring.segments.pop_back(); // the closing line
         return ring;
     }
@@ -128,7 +129,7 @@ private:
     }
 
     // False if the curve does not cross the edge: its chord cuts a corner that the curve misses.
-    bool meet(const Side& own, const Chord& chord, double& t, const Side& window, double& onWindow,
+    bool meet(const Side& own, const Chord& chord, double& t, Side& window, double& onWindow,
               Point& cut) const
     {
         if (cut == chord.segment.a || cut == chord.segment.b)
@@ -141,6 +142,7 @@ private:
                 curve ? border_.meeting(*curve, chord, cut) : border_.meeting(chord.segment, cut);
             if (met && met->border == window.border) {
                 cut = met->point;
+                window.passed += !curve && (cut == chord.segment.a || cut == chord.segment.b);
                 t = met->t;
                 onWindow = met->onBorder;
                 return true;
@@ -156,8 +158,8 @@ private:
 
     void append(const Side& side, const Point& end, std::vector<PathSegment>& segments) const
     {
-        if (side.window && side.start == end)
-            return; // a line ends on the border itself
+        if (side.passed == 2 && side.start == end)
+            return; // both lines end between the window's curve and its chord
         const bool isCurved = side.curved || side.border;
         if (!isCurved || side.from == side.to || (side.from < side.to) != side.isForward)
             return segments.push_back({end});
@@ -213,7 +215,8 @@ std::vector<Subpath> subpathsOf(const clipping::ClippedArea& clipped,
     Rings rings(clipped, path, flat, windows, border);
     std::size_t first = 0;
     for (const std::uint32_t end : clipped.ringEnds) {
-        subpaths.push_back(rings.ring(first, end));
+        if (Subpath ring = rings.ring(first, end); !ring.segments.empty())
+            subpaths.push_back(std::move(ring));
         first = end;
     }
     return subpaths;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/curved_border.h"
 
+#include "app/cut/whole_curve.h"
 #include "app/document/window_outline.h"
 
 #include <glm/common.hpp>
 
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -36,6 +38,11 @@ CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page, double 
     : windows_(windows), near_(near > 0 ? near : millimetres / page.millimetresPerUnit())
 {
     tolerance_ = std::min(near_ / 2, windowMillimetres / page.millimetresPerUnit());
+    std::vector<const Path*> borders;
+    for (const ClipWindow& window : windows.list)
+        if (isBorder(window, sides))
+            borders.push_back(&std::get<PathShape>(window.shape).path);
+    findEllipses(borders);
     for (std::size_t i = 0; i < windows.list.size(); ++i)
         if (isBorder(windows.list[i], sides)) {
             withRings_.push_back(i);
@@ -55,6 +62,10 @@ CurvedBorder::CurvedBorder(std::span<const Path> areas, double tolerance, const 
                            double near)
     : tolerance_(tolerance), near_(near > 0 ? near : millimetres / page.millimetresPerUnit())
 {
+    std::vector<const Path*> borders;
+    for (const Path& area : areas)
+        borders.push_back(&area);
+    findEllipses(borders);
     for (std::size_t i = 0; i < areas.size(); ++i)
         add({areas[i], FillRule::NonZero}, i);
     makeIndex();
@@ -122,17 +133,35 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
         ring.edges.push_back({end, 0, 0, line}); // an open path counts as closed
 }
 
+void CurvedBorder::findEllipses(std::span<const Path* const> borders)
+{
+    std::vector<clipping::Window> boxes;
+    for (const Path* border : borders)
+        for (const Subpath& path : border->subpaths())
+            for (std::size_t i = 0; i < path.segments.size(); ++i) {
+                const auto drawn = isCurve(path, i) ? ellipseAt(path, i) : std::nullopt;
+                if (!drawn || !drawn->isCertain)
+                    continue;
+                const auto& [centre, a, b, angle, sweep] = drawn->ellipse;
+                const Point reach = Point(std::hypot(a.x, b.x), std::hypot(a.y, b.y)) + near_;
+                boxes.push_back({centre - reach, centre + reach});
+                ellipses_.push_back(drawn->ellipse);
+            }
+    ellipsesAt_ = BoxIndex(boxes);
+}
+
 TrueCurve CurvedBorder::curveAt(const Subpath& path, std::size_t segment) const
 {
-    return {path, segment, [&](const EllipseArc& ellipse) {
-                const std::array ends{ellipse.at(ellipse.angle),
-                                      ellipse.at(ellipse.angle + ellipse.sweep / 2),
-                                      ellipse.at(ellipse.angle + ellipse.sweep)};
-                return std::ranges::any_of(sources_, [&](const TrueCurve& source) {
-                    return source.ellipse() && std::ranges::all_of(ends, [&](const Point& p) {
-                               return glm::distance(onEllipse(*source.ellipse(), p), p) <= near_;
-                           });
+    return {path, segment, [&](const EllipseArc& arc) {
+                const std::array places{arc.at(arc.angle), arc.at(arc.angle + arc.sweep / 2),
+                                        arc.at(arc.angle + arc.sweep)};
+                bool isKnown = false;
+                ellipsesAt_.meeting({places[0], places[0]}, 0, [&](std::uint32_t i) {
+                    isKnown = isKnown || std::ranges::all_of(places, [&](const Point& p) {
+                                  return glm::distance(onEllipse(ellipses_[i], p), p) <= near_;
+                              });
                 });
+                return isKnown;
             }};
 }
 

@@ -109,6 +109,7 @@ private:
     void flattenTruly(const Subpath& path, double tolerance, std::vector<Chord>& chords) const;
     void divideAtEndsOfWindows();
     void divideWhereWindowsCross();
+    void findEllipses(std::span<const Path* const> borders);
     void add(const PathShape& shape, std::size_t window);
     void add(const Subpath& path, std::size_t window);
     void makeIndex();
@@ -233,6 +234,11 @@ private:
                 visit(edge);
         });
     }
+    bool isEdge(const Point& from, const Point& to) const;
+    /// Whether chords, or a path, may be beside the border or a straight edge of a window.
+    bool isBeside(std::span<const Chord> chords, double tolerance) const;
+    bool isBeside(const Path& path) const;
+    bool isBeside(const clipping::Window& box) const;
     bool isBesideCorner(const Point& p, const Point& corner) const;
     std::vector<Point> cornersAlong(const clipping::Segment& line, Place place) const;
     /// The chords of a line along the border, up to both ends; empty: it is not along it.
@@ -242,6 +248,8 @@ private:
     ClipWindows windows_;
     std::vector<std::size_t> withRings_; ///< the numbers of windows with rings
     double tolerance_ = 0, near_ = 0;    ///< in user units
+    std::vector<EllipseArc> ellipses_;   ///< that the border certainly has
+    BoxIndex ellipsesAt_;
     std::vector<TrueCurve> sources_;
     std::vector<Ring> rings_;
     std::vector<Place> edges_;             ///< along which curves may run

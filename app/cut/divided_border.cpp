@@ -51,6 +51,8 @@ void CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
 {
     if (path.straight())
         return path.forEachPoint([&](const Point& p) { divideAt(p, Ending::Line, cuts); });
+    if (!isBeside(path))
+        return;
     for (const Subpath& subpath : path.subpaths()) {
         if (!isCurve(subpath, 0))
             divideAt(subpath.start, Ending::Line, cuts);

@@ -224,8 +224,7 @@ void CurvedBorder::dropTouches(const Subpath& path,
         const Part& last = parts[i > 0 ? i - 1 : parts.size() - 1];
         Part& part = parts[i];
         const bool isNext = i > 0 && last.segment == part.segment;
-        const bool isOver = isJoined(part.segment) && last.segment == before(part.segment)
-                            && last.shared->high == 1 && part.shared->low == 0;
+        const bool isOver = isJoined(part.segment) && last.segment == before(part.segment);
         part.goesOn = (isNext || isOver)
                       && glm::distance(last.shared->atHigh, part.shared->atLow) <= stillNear();
     }
@@ -236,9 +235,11 @@ void CurvedBorder::dropTouches(const Subpath& path,
     };
     const auto isEnd = [&](const Part& part, bool high) {
         const std::size_t next = part.segment + 1 < segments.size() ? part.segment + 1 : 0;
-        const bool ofCurve = high ? part.shared->high == 1 && (!segments[next] || endsAt(next))
-                                  : part.shared->low == 0 && endsAt(part.segment);
-        return ofCurve || turnsAt(high ? part.shared->atHigh : part.shared->atLow);
+        const Point& at = high ? part.shared->atHigh : part.shared->atLow;
+        const Point end = segments[part.segment]->curve.at(high);
+        const bool ofCurve = glm::distance(at, end) <= stillNear()
+                             && (high ? !segments[next] || endsAt(next) : endsAt(part.segment));
+        return ofCurve || turnsAt(at);
     };
     const auto starts = std::ranges::find(parts, false, &Part::goesOn);
     const bool isRing = starts == parts.end();

@@ -25,8 +25,8 @@ bool mayBeParallel(const Point& chord, const Point& other, double near)
     return std::abs(cross(chord, other)) <= turn * near * (a + b);
 }
 
-/// Whether a box is on one side of a line, at least so far from it.
-bool isBeside(const clipping::Segment& line, const clipping::Window& box, double away)
+/// Whether a line passes a box, which is on one side of it, at least so far from it.
+bool passesBy(const clipping::Segment& line, const clipping::Window& box, double away)
 {
     const Point along = line.b - line.a, half = (box.max - box.min) * 0.5;
     const double reach = std::abs(along.x) * half.y + std::abs(along.y) * half.x;
@@ -54,7 +54,7 @@ void CurvedBorder::addTouches(const clipping::Segment& line, Cuts& cuts) const
         return;
     curves_.meeting(around(line, near), 0, [&](std::uint32_t source) {
         const TrueCurve& curve = sources_[source];
-        if (edgesOf_[source].second == 0 || isBeside(line, curve.box(), near))
+        if (edgesOf_[source].second == 0 || passesBy(line, curve.box(), near))
             return;
         for (const double t : curve.parallelTo(along)) {
             const Point p = curve.at(t);
@@ -146,6 +146,8 @@ void CurvedBorder::addTouchesOf(const ObjectView& object, double tolerance, Cuts
 {
     if (const auto line = object.singleLine())
         return addTouches(*line, cuts);
+    if (!isBeside(object.path()))
+        return;
     for (const Subpath& path : object.path().subpaths()) {
         std::vector<Chord> chords;
         flattenTruly(path, tolerance, chords);

@@ -59,6 +59,23 @@ bool isOn(const EllipseArc& ellipse, const Bezier& curve)
     });
 }
 
+/// For a part that was divided off, and rounded so much that the whole is not found: the ellipse of
+/// a curve at most two nodes away.
+template <class Beside>
+std::optional<EllipseArc> ellipseBeside(const Subpath& path, std::size_t segment,
+                                        const Beside& besideOf)
+{
+    const Bezier curve = curveOf(path, segment);
+    auto beside = besideOf(path, segment);
+    for (int nodes = 0; nodes < 2 && beside && *beside != segment; ++nodes) {
+        const auto ellipse = ellipseOf(curveOf(path, *beside));
+        if (ellipse && (isCircle(*ellipse) || isQuarter(*ellipse)))
+            return isOn(*ellipse, curve) ? ellipse : std::nullopt;
+        beside = besideOf(path, *beside);
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 // De Casteljau's division: at the share s of the parameter, the handles beside the new node have
@@ -107,8 +124,12 @@ std::optional<DrawnEllipse> ellipseAt(const Subpath& path, std::size_t segment)
         first = *previous;
     }
     const auto ellipse = ellipseOf(whole);
-    if (!ellipse)
-        return std::nullopt;
+    if (!ellipse) {
+        auto other = ellipseBeside(path, last, nextCurve);
+        if (!other)
+            other = ellipseBeside(path, first, previousCurve);
+        return other ? std::optional(DrawnEllipse{*other, true}) : std::nullopt;
+    }
     const auto goesOnAt = [&](std::optional<std::size_t> beside) {
         return beside && isOn(*ellipse, curveOf(path, *beside));
     };

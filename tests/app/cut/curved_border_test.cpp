@@ -647,6 +647,49 @@ private slots:
         }
     }
 
+    /// As files have them, with so many decimals, and with a node that divides one of its curves.
+    /// The window's own numbers have six.
+    void roundedCurvesAreTheSame()
+    {
+        std::mt19937_64 random(23);
+        const auto rounded = [](Subpath path, double decimals) {
+            const double scale = std::pow(10, decimals);
+            forEachPoint(path, [&](Point& p) { p = glm::round(p * scale) / scale; });
+            return path;
+        };
+        for (int i = 0; i < 60; ++i) {
+            const double r = between(random, 5, 35), ry = r * (i % 2 ? 1 : i % 4 ? 0.5 : 0.8);
+            const Point by(between(random, 0, 1), between(random, 0, 1));
+            const EllipseRecipe recipe{centre + by, {r, ry}};
+            Subpath path = movedBy(ellipse({r, 0}, {0, ry}, 4 + 4 * (i % 3 == 0), 0), by);
+            if (i % 5 == 0)
+                path = halved(path);
+            const ClipWindow window = windowOf(rounded(*outlineOf(recipe), 6));
+            for (const double decimals : {4.0, 5.0, 6.0}) {
+                const Subpath drawn = rounded(path, decimals);
+                const QByteArray which =
+                    QByteArray::number(i) + ": " + QByteArray::number(decimals);
+                QVERIFY2(pathsOf(cutAt(window, {drawn}, Keep::Inside, false)) == std::vector{drawn},
+                         which);
+                QVERIFY2(pathsOf(cutAt(window, {drawn}, Keep::Outside, false)).empty(), which);
+            }
+        }
+    }
+
+    /// A window that crosses itself: its loop is one curve, which ends where it begins.
+    void theLoopOfAWindowIsCutOut()
+    {
+        const Subpath square{{5, 5}, {{{95, 5}}, {{95, 95}}, {{5, 95}}}, true};
+        for (const bool closed : {true, false}) {
+            const ClipWindow window =
+                windowOf({{30, 80}, {{{70, 80}, {120, 10}, {-20, 10}, true}}, closed});
+            double sum = 0;
+            for (const Keep keep : {Keep::Inside, Keep::Outside})
+                sum += areaOf(cutAt(window, {square}, keep, true).shapes[0].paths);
+            QVERIFY(std::abs(sum - 8100) < 1e-6);
+        }
+    }
+
     /// What a cut leaves of a circle is still of it, at the same window and when cut again.
     void whatIsLeftOfACircleIsOnIt()
     {
