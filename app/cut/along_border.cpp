@@ -167,7 +167,9 @@ void CurvedBorder::flattenAlong(const Subpath& path, std::span<const Chord> plai
 
 bool CurvedBorder::isBeside(const clipping::Window& box) const
 {
-    bool is = false;
+    bool is = !isFine(); // thousands of areas are everywhere
+    if (is)
+        return true;
     index_.meeting(box, 0, [&](std::uint32_t) { is = true; });
     if (!is)
         sidesAt_.meeting(box, 0, [&](std::uint32_t) { is = true; });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/curved_border.h"
+#include "app/document/path.h"
 
 #include <glm/geometric.hpp>
 
@@ -122,8 +123,8 @@ void CurvedBorder::addCrossings(std::uint32_t number, Cuts& cuts) const
         if (!met || met->t <= 0 || met->t >= 1 || met->u <= 0 || met->u >= 1)
             return;
         const Point p = curve.at(met->t);
-        cuts.on[edgeAt(edge.source, met->t)].push_back({p, Ending::Line});
-        cuts.on[edgeAt(across.source, met->u)].push_back({p, Ending::Line});
+        cuts.on[numberOf(edge.source, met->t)].push_back({p, Ending::Line});
+        cuts.on[numberOf(across.source, met->u)].push_back({p, Ending::Line});
     });
 }
 
@@ -134,6 +135,14 @@ void CurvedBorder::divideWhereWindowsCross()
     for (std::uint32_t edge = 0; edge < edges_.size(); ++edge)
         addCrossings(edge, cuts);
     divide(cuts);
+}
+
+bool CurvedBorder::isNothing(const Subpath& piece) const
+{
+    bool is = !isEmpty();
+    forEachPoint(piece, [&](const Point& p) { is = is && glm::distance(p, piece.start) <= near_; });
+    const bool isPoint = piece.segments.empty() || piece.segments.back().to == piece.start;
+    return is && !isPoint; // single points are kept on purpose
 }
 
 std::optional<CurvePart> CurvedBorder::partAlong(const clipping::Segment& edge) const

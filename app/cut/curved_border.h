@@ -28,9 +28,9 @@ struct BorderMeeting {
 ///
 /// They are cut at as polygons. A curve that coincides with a curved edge would cross its
 /// polygon again and again, and end as dashes. So coincidence is found first: where a curve of the
-/// drawing stays within `near` of the border, or a line from end to end, its chords are the
-/// polygon's own edges, bit for bit; what follows treats them as shared edges. Curves that
-/// draw parts of ellipses count as these.
+/// drawing runs along the border (within `near`, and then up to twice that), or a line from end to
+/// end, its chords are the polygon's own edges, bit for bit; what follows treats them as shared
+/// edges. Curves that draw parts of ellipses count as these.
 class CurvedBorder {
 public:
     /// How far apart two curves may be that are the same, if `near` (user units) is not given.
@@ -73,6 +73,9 @@ public:
     /// Where the curve of a chord that is cut there meets it.
     std::optional<BorderMeeting> meeting(const TrueCurve& curve, const Chord& chord,
                                          const Point& cut) const;
+    /// Whether a piece is so short that it is on the border, where that is only known to be so
+    /// near.
+    bool isNothing(const Subpath& piece) const;
     /// The part of the border's curve whose chord this edge of the polygons is. Empty: the border
     /// is straight there.
     std::optional<CurvePart> partAlong(const clipping::Segment& edge) const;
@@ -98,7 +101,8 @@ private:
     struct Shared {
         double low, high;
         Point atLow, atHigh;
-        int near = 0, same = 0; ///< so many of `places` are within `near_`, or much nearer
+        int near = 0, same = 0; ///< so many of `places` are within `near_`, and nearlySame()
+        bool isTouch = false;   ///< only of curves that touch, or cross at a small angle
     };
     static constexpr int places = 9; ///< of an edge that are looked at, its ends among them
     /// An edge along which curves may run, by the numbers of its ring and of it there.
@@ -160,7 +164,7 @@ private:
         double turn; ///< from the curve's direction to the border's; 0 where they are parallel
     };
     static Gap gapAt(const TrueCurve& curve, double t, const TrueCurve& border, const Edge& edge);
-    std::uint32_t edgeAt(std::uint32_t source, double t) const;
+    std::uint32_t numberOf(std::uint32_t source, double t) const; ///< of the edge there
     /// Whether polygons are so near to the border that its curves may count where they touch the
     /// drawing's: for windows. Thousands of areas would take too long.
     bool isFine() const { return tolerance_ <= near_; }
@@ -218,12 +222,14 @@ private:
     void flattenAlong(const Subpath& path, std::span<const Chord> plain, double tolerance,
                       std::vector<Chord>& chords) const;
     void flattenAlong(const Along& along, Point& at, std::vector<Chord>& chords) const;
-    /// `plain` are chords within the tolerance of it.
     void addCorners(const TrueCurve& curve, Beside& near) const;
+    /// `plain` are chords within the tolerance of it.
     Beside beside(const TrueCurve& curve, std::span<const Chord> plain, double tolerance) const;
     /// Who is within `near_` of a border runs along it as long as it is within this, so that two
     /// curves that are as far apart are not divided again and again.
     double stillNear() const { return 2 * near_; }
+    /// Nearer than curves are for long that touch each other.
+    double nearlySame() const { return near_ / 50; }
     /// Calls visit(number) for the edges that begin at a point.
     template <class Visit>
     void forEdgesFrom(const Point& p, const Visit& visit) const

@@ -133,9 +133,11 @@ private:
     {
         auto kept = joinRuns(path, chords, parts, options_.region, closedStart_, border_);
         const bool unchanged = kept.size() == 1 && kept.front().path == path;
-        if (!unchanged)
+        if (!unchanged) {
+            std::erase_if(kept, [&](const Run& run) { return border_.isNothing(run.path); });
             dropped_ +=
                 std::erase_if(kept, [&](const Run& run) { return isTooShort(run.path, options_); });
+        }
         whole_ = whole_ && unchanged;
         slanted_ = slanted_ || endsSlanted(chords, parts);
         opened_ += path.closed && !unchanged && !kept.empty();

@@ -87,7 +87,7 @@ bool CurvedBorder::mayMoveEnd(const Place& place, const Point& p) const
            && glm::distance(next.from, on) <= 2 * glm::distance(on, p);
 }
 
-/// Ends an edge at a point, where the next one begins.
+/// Ends an edge at a point, where the next one begins. Their parameters stay: it is very near.
 void CurvedBorder::moveEnd(const Place& place, const Point& p)
 {
     auto& edges = rings_[place.ring].edges;

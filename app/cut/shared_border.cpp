@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 // Where curves run along the border.
 
@@ -50,12 +51,12 @@ CurvedBorder::shared(const Near& from, std::span<const Near> all, const TrueCurv
     };
     const double first = ended(from.t);
     double t = from.t, last = first;
-    int direction = 0, near = from.distance <= near_, same = from.distance <= near_ / 50;
+    int direction = 0, near = from.distance <= near_, same = from.distance <= nearlySame();
     const auto passesAt = [&](const Point& p, double parameter) {
         t = parameter;
         const double distance = glm::distance(curve.at(t), p);
         near += distance <= near_;
-        same += distance <= near_ / 50;
+        same += distance <= nearlySame();
         const double at = ended(t);
         const int way = at > last ? 1 : at < last ? -1 : 0;
         const bool goesOn = way != 0 && (direction == 0 || way == direction);
@@ -259,11 +260,11 @@ void CurvedBorder::dropTouches(const Subpath& path,
                               || 2 * same >= places * int(end - i);
         if (near == 0 || !isBorder || !(isLong || isRing))
             for (std::size_t k = i; k < end; ++k)
-                parts[k].shared->near = -1;
+                parts[k].shared->isTouch = true;
     }
     for (auto& segment : segments)
         if (segment)
-            std::erase_if(segment->shared, [](const Shared& shared) { return shared.near < 0; });
+            std::erase_if(segment->shared, std::mem_fn(&Shared::isTouch));
 }
 
 } // namespace app

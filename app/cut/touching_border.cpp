@@ -36,7 +36,7 @@ bool passesBy(const clipping::Segment& line, const clipping::Window& box, double
 } // namespace
 
 /// The number of the edge with a parameter of a source.
-std::uint32_t CurvedBorder::edgeAt(std::uint32_t source, double t) const
+std::uint32_t CurvedBorder::numberOf(std::uint32_t source, double t) const
 {
     auto [low, high] = edgesOf_[source];
     while (high - low > 1) {
@@ -60,7 +60,7 @@ void CurvedBorder::addTouches(const clipping::Segment& line, Cuts& cuts) const
             const Point p = curve.at(t);
             const double way = glm::dot(p - line.a, along), away = cross(along, p - line.a);
             if (way >= 0 && way <= length && away * away <= near * near * length)
-                cuts.on[edgeAt(source, t)].push_back({p, Ending::Line});
+                cuts.on[numberOf(source, t)].push_back({p, Ending::Line});
         }
     });
 }
