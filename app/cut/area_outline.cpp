@@ -3,6 +3,8 @@
 
 #include "app/cut/true_curve.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -126,6 +128,44 @@ private:
             side.missesEnd = !meet(side, side.last, side.to, next, next.from, next.start);
         else if (side.window && !next.window)
             next.missesStart = !meet(next, next.first, next.from, side, side.to, next.start);
+        else if (!side.window && !next.window)
+            meetItself(side, next);
+    }
+
+    // Where the path crosses itself.
+    void meetItself(Side& side, Side& next) const
+    {
+        const auto ends = [&](const Chord& chord) {
+            return next.start == chord.segment.a || next.start == chord.segment.b;
+        };
+        if (!(side.curved || next.curved) || (ends(side.last) && ends(next.first)))
+            return;
+        const auto curveOf = [&](const Side& of) {
+            return border_.curveAt(path_[of.subpath], of.segment);
+        };
+        if (!side.curved || !next.curved) {
+            Side& curved = side.curved ? side : next;
+            const auto& [chord, line] = side.curved ? std::pair(side.last, next.first.segment)
+                                                    : std::pair(next.first, side.last.segment);
+            if (const auto met = crossing(curveOf(curved), chord, line)) {
+                (side.curved ? side.to : next.from) = met->t;
+                next.start = met->point;
+            }
+            return;
+        }
+        const TrueCurve curve = curveOf(side), other = curveOf(next);
+        const auto met = meetingNear(curve, side.last, {&other, next.first.t0, next.first.t1},
+                                     {side.to, next.from});
+        if (!met || met->t < 0 || met->t > 1 || met->u < 0 || met->u > 1)
+            return;
+        const Point p = curve.at(met->t);
+        constexpr double rounding = 1e-9;
+        const auto& [a, b] = side.last.segment;
+        if (glm::distance(p, other.at(met->u)) > rounding * glm::distance(a, b))
+            return;
+        side.to = met->t;
+        next.from = met->u;
+        next.start = p;
     }
 
     // False if the curve does not cross the edge: its chord cuts a corner that the curve misses.

@@ -12,36 +12,6 @@
 namespace app {
 namespace {
 
-/// Parameters of two curves.
-struct CurvePlaces {
-    double t, u;
-};
-
-/// Newton's steps; it may be on a neighbouring part of the same curves.
-std::optional<CurvePlaces> meetingNear(const TrueCurve& curve, const Chord& chord,
-                                       const CurvePart& part, CurvePlaces at)
-{
-    const double width = chord.t1 - chord.t0, reach = part.to - part.from;
-    constexpr int most = 20;
-    constexpr double little = 1e-15;
-    for (int i = 0; i < most; ++i) {
-        const Point gap = part.curve->at(at.u) - curve.at(at.t);
-        const Point along = curve.slope(at.t), across = part.curve->slope(at.u);
-        const double turn = cross(along, across);
-        const double byT = cross(gap, across) / turn, byU = cross(gap, along) / turn;
-        if (!std::isfinite(byT) || !std::isfinite(byU))
-            return std::nullopt;
-        at.t += byT;
-        at.u += byU;
-        if (at.t < std::max(0.0, chord.t0 - width) || at.t > std::min(1.0, chord.t1 + width)
-            || std::abs(at.u - part.from - reach / 2) > 1.5 * std::abs(reach))
-            return std::nullopt;
-        if (std::abs(byT) <= little && std::abs(byU) <= little)
-            break;
-    }
-    return at;
-}
-
 /// By bisection, if the ends of the chord are on both sides of the curve beside the part.
 std::optional<CurvePlaces> meetingBetween(const TrueCurve& curve, const Chord& chord,
                                           const CurvePart& part)

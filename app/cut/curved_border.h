@@ -249,7 +249,8 @@ private:
     std::vector<Point> cornersAlong(const clipping::Segment& line, Place place) const;
     /// The chords of a line along the border, up to both ends; empty: it is not along it.
     std::vector<Chord> linesAlong(const Chord& chord) const;
-    std::vector<Shared> sharedWith(const TrueCurve& curve, std::span<const Near> near) const;
+    /// Adds the edges along the curve, only its own ones or only others, beside those there are.
+    void addShared(Along& along, bool own) const;
 
     ClipWindows windows_;
     std::vector<std::size_t> withRings_; ///< the numbers of windows with rings

@@ -114,20 +114,24 @@ CurvedBorder::Beside CurvedBorder::beside(const TrueCurve& curve, std::span<cons
     return found;
 }
 
-std::vector<CurvedBorder::Shared> CurvedBorder::sharedWith(const TrueCurve& curve,
-                                                           std::span<const Near> near) const
+void CurvedBorder::addShared(Along& along, bool own) const
 {
     std::map<double, Shared> all; // by their high ends
-    for (const Near& each : near) // those of the first ring begin
-        if (const auto found = shared(each, near, curve); found && found->low < found->high) {
-            const auto after = all.upper_bound(found->low);
-            if (after == all.end() || after->second.low >= found->high)
-                all.emplace(found->high, *found);
-        }
-    std::vector<Shared> inOrder;
+    for (const Shared& shared : along.shared)
+        all.emplace(shared.high, shared);
+    for (const Near& each : along.near.edges) { // those of the first ring begin
+        if (isOf(edgeAt(edges_[each.edge]), along.curve) != own)
+            continue;
+        const auto found = shared(each, along.near.edges, along.curve);
+        if (!found || found->low >= found->high)
+            continue;
+        const auto after = all.upper_bound(found->low);
+        if (after == all.end() || after->second.low >= found->high)
+            all.emplace(found->high, *found);
+    }
+    along.shared.clear();
     for (const auto& [high, part] : all)
-        inOrder.push_back(part);
-    return inOrder;
+        along.shared.push_back(part);
 }
 
 /// Adds the ends where the curve passes corners of the border, so that its chords are on the same
@@ -173,10 +177,13 @@ CurvedBorder::along(const Subpath& path, std::span<const Chord> plain, double to
         Along& along = segments[segment].emplace(
             Along{curveAt(path, segment), plain.subspan(i, end - i), {}, {}});
         along.near = beside(along.curve, along.plain, tolerance);
-        along.shared = sharedWith(along.curve, along.near.edges);
+        addShared(along, false);
     }
     if (isFine())
         dropTouches(path, segments);
+    for (auto& each : segments)
+        if (each)
+            addShared(*each, true);
     return segments;
 }
 

@@ -94,6 +94,16 @@ struct CurvePart {
     }
 };
 
+/// Parameters of two curves.
+struct CurvePlaces {
+    double t, u;
+};
+
+/// Where the curve of a chord meets a part of another one, by Newton's steps from a guess. It may
+/// be on a neighbouring part of the same curves.
+std::optional<CurvePlaces> meetingNear(const TrueCurve& curve, const Chord& chord,
+                                       const CurvePart& part, CurvePlaces at);
+
 /// Where a curve passes from one side to the other within the chord's part of it: the last
 /// parameter on the side of `chord.t0`, by bisection. Empty if both ends are on one side: the chord
 /// then cuts a corner that the curve misses.

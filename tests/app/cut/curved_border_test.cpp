@@ -676,6 +676,33 @@ private slots:
         }
     }
 
+    /// Where an area's own outline crosses itself, far from the cut, its curves stay.
+    void anAreaThatCrossesItselfIsNotBent()
+    {
+        const Subpath first = circle(12.5, 4, 0), second = movedBy(first, {7.25, 0});
+        Sheet sheet;
+        sheet.shapes.push_back({{first, second},
+                                {.fill = Colour{}, .fillRule = FillRule::EvenOdd},
+                                QString(),
+                                0,
+                                false});
+        Document document = documentOf(sheet);
+        CutOptions options{.clipAll = clipping::exactAlgorithm().corrected.clipAll};
+        const ClipWindow window{QString(),
+                                RectangleShape{{centre - Point(5, 50), centre + Point(50, 50)}, 0}};
+        app::cutAt(options, {{window}, Keep::Inside}, document.page());
+        document.apply(cut(document, options).edit);
+        std::size_t crossings = 0;
+        for (const Subpath& ring : pathsOf(sheetOf(document)))
+            for (const PathSegment& s : ring.segments) {
+                const double one = std::abs(glm::distance(s.to, centre) - 12.5),
+                             other = std::abs(glm::distance(s.to, centre + Point(7.25, 0)) - 12.5);
+                QVERIFY(std::min(one, other) < 1e-9);
+                crossings += std::max(one, other) < 1e-9;
+            }
+        QVERIFY(crossings >= 2);
+    }
+
     /// A window that crosses itself: its loop is one curve, which ends where it begins.
     void theLoopOfAWindowIsCutOut()
     {
