@@ -141,30 +141,40 @@ std::vector<Point> cutEndsOf(const std::vector<Subpath>& parts, const Subpath& w
     return ends;
 }
 
-double distanceTo(const Bezier& curve, const Point& p)
+/// The least distance of a place, by all the valleys between evenly spread ones.
+template <class At>
+double leastDistance(const Point& p, double begin, double end, const At& at)
 {
-    double low = 0, high = 1, nearest = 0, least = 1e9;
-    for (int parts = 2048; high - low > 1e-15; parts = 32) {
-        const double step = (high - low) / parts, first = low;
-        for (int i = 0; i <= parts; ++i)
-            if (const double d = glm::distance(curve.at(first + i * step), p); d < least)
-                least = d, nearest = first + i * step;
-        low = std::max(nearest - step, 0.0), high = std::min(nearest + step, 1.0);
+    constexpr int parts = 2048;
+    const double step = (end - begin) / parts;
+    const auto away = [&](double t) { return glm::distance(at(t), p); };
+    std::vector<double> distances;
+    for (int i = 0; i <= parts; ++i)
+        distances.push_back(away(begin + i * step));
+    double least = std::min(distances.front(), distances.back());
+    for (std::size_t i = 0; i <= parts; ++i) {
+        const std::size_t before = i > 0 ? i - 1 : 0, after = i < parts ? i + 1 : i;
+        if (distances[i] > distances[before] || distances[i] > distances[after])
+            continue;
+        double low = begin + double(before) * step, high = begin + double(after) * step;
+        for (int k = 0; k < 100; ++k) {
+            const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+            const bool isLow = away(a) < away(b);
+            (isLow ? high : low) = isLow ? b : a;
+        }
+        least = std::min(least, away((low + high) / 2));
     }
     return least;
 }
 
+double distanceTo(const Bezier& curve, const Point& p)
+{
+    return leastDistance(p, 0, 1, [&](double t) { return curve.at(t); });
+}
+
 double distanceTo(const EllipseArc& ellipse, const Point& p)
 {
-    double low = 0, high = 2 * std::numbers::pi, nearest = 0, least = 1e9;
-    for (int parts = 4096; high - low > 1e-15; parts = 32) {
-        const double step = (high - low) / parts, first = low;
-        for (int i = 0; i <= parts; ++i)
-            if (const double d = glm::distance(ellipse.at(first + i * step), p); d < least)
-                least = d, nearest = first + i * step;
-        low = nearest - step, high = nearest + step;
-    }
-    return least;
+    return leastDistance(p, 0, 2 * std::numbers::pi, [&](double t) { return ellipse.at(t); });
 }
 
 /// Closed paths are parts of ellipses here, and count as these.
