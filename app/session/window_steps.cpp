@@ -207,9 +207,11 @@ std::vector<ClipWindow> windowsOfSelection(const Session& session)
     return windows;
 }
 
-void addWindowsOfSelection(Session& session)
+void addWindowsOfSelection(Session& session, WindowPen::Use use)
 {
     auto made = windowsOfSelection(session);
+    for (ClipWindow& window : made)
+        window.operation = operationOf(use);
     const std::size_t all = session.selection().size(), count = made.size();
     if (made.empty()) {
         emit session.refused(

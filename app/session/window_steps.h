@@ -49,7 +49,7 @@ void setWindowOperation(Session& session, std::size_t number, WindowOperation op
 /// One clip window for each selected object that encloses an area. Open paths are closed.
 std::vector<ClipWindow> windowsOfSelection(const Session& session);
 /// Adds them in one step. `Session::refused` says how many objects were left out, and why.
-void addWindowsOfSelection(Session& session);
+void addWindowsOfSelection(Session& session, WindowPen::Use use = WindowPen::Use::Add);
 /// Adds the window's shape as an object of the current layer, in the pen's style, and selects it.
 void windowToPath(Session& session);
 

@@ -75,7 +75,8 @@ WindowOptions::WindowOptions(app::Session& session, Canvas& canvas)
         focusCanvas();
     });
     connect(fromSelection_, &QToolButton::clicked, this, [this, focusCanvas] {
-        app::addWindowsOfSelection(session_);
+        app::addWindowsOfSelection(session_, session_.windowPen.use);
+        app::setWindowPen(session_, app::penAfter(session_.windowPen));
         focusCanvas();
     });
     connect(&session, &app::Session::displayChanged, this, &WindowOptions::follow);

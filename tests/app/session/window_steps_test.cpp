@@ -191,6 +191,19 @@ private slots:
         QVERIFY(session.refusals[2][0].toString().startsWith("None of the selected objects"));
         QCOMPARE(session.history.count(), 2);
     }
+    void theyDoWhatWasChosenForThem()
+    {
+        using Use = WindowPen::Use;
+        for (const auto& [use, operation] :
+             {std::pair(Use::Add, WindowOperation::Add),
+              std::pair(Use::CutOut, WindowOperation::CutOut),
+              std::pair(Use::Intersect, WindowOperation::Intersect)}) {
+            Asked session({}, {drawn(EllipseRecipe{{9, 9}, {4, 3}}, "pond")});
+            session.select({0});
+            addWindowsOfSelection(session, use);
+            QCOMPARE(session.now().windows().list.back().operation, operation);
+        }
+    }
     void aTextNamesItsWindow()
     {
         Object text = drawn(EllipseRecipe{{9, 9}, {4, 3}}, "text7");
