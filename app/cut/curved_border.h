@@ -217,7 +217,7 @@ private:
     /// For each segment of a path, with its chords, whether it is a curve.
     std::vector<std::optional<Along>> along(const Subpath& path, std::span<const Chord> plain,
                                             double tolerance) const;
-    void dropTouches(const Subpath& path, std::vector<std::optional<Along>>& segments) const;
+    class Runs;
     bool turnsAt(const Point& p) const;
     void flattenAlong(const Subpath& path, std::span<const Chord> plain, double tolerance,
                       std::vector<Chord>& chords) const;

@@ -163,30 +163,6 @@ void CurvedBorder::addCorners(const TrueCurve& curve, Beside& near) const
             near.ends.back() = at;
 }
 
-std::vector<std::optional<CurvedBorder::Along>>
-CurvedBorder::along(const Subpath& path, std::span<const Chord> plain, double tolerance) const
-{
-    std::vector<std::optional<Along>> segments(path.segments.size());
-    for (std::size_t i = 0, end = 0; i < plain.size(); i = end) {
-        const std::size_t segment = plain[i].pathSegment;
-        end = i + 1;
-        while (end < plain.size() && plain[end].pathSegment == segment)
-            ++end;
-        if (!isCurve(path, segment))
-            continue;
-        Along& along = segments[segment].emplace(
-            Along{curveAt(path, segment), plain.subspan(i, end - i), {}, {}});
-        along.near = beside(along.curve, along.plain, tolerance);
-        addShared(along, false);
-    }
-    if (isFine())
-        dropTouches(path, segments);
-    for (auto& each : segments)
-        if (each)
-            addShared(*each, true);
-    return segments;
-}
-
 /// Whether the border turns, or is another ring's, where an edge begins.
 bool CurvedBorder::turnsAt(const Point& p) const
 {
@@ -204,74 +180,131 @@ bool CurvedBorder::turnsAt(const Point& p) const
     return turns;
 }
 
-/// Two curves that cross at a small angle, or touch, are near to each other for a while, too. They
-/// are no borders of one thing, and meet as true curves do: where both go on smoothly at both ends
-/// of a run, and are the same nowhere.
-void CurvedBorder::dropTouches(const Subpath& path,
-                               std::vector<std::optional<Along>>& segments) const
-{
+/// The edges along which a path runs, one after the other.
+class CurvedBorder::Runs {
+public:
+    Runs(const CurvedBorder& border, const Subpath& path,
+         std::vector<std::optional<Along>>& segments)
+        : border_(border),
+          isClosed_(!path.segments.empty() && path.segments.back().to == path.start),
+          segments_(segments)
+    {
+        for (std::size_t i = 0; i < segments.size(); ++i)
+            if (segments[i])
+                for (Shared& shared : segments[i]->shared)
+                    parts_.push_back({i, &shared});
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            parts_[i].goesOn = goesOn(parts_[i > 0 ? i - 1 : parts_.size() - 1], parts_[i], i > 0);
+        const auto start = std::ranges::find(parts_, false, &Part::goesOn);
+        isRing_ = start == parts_.end();
+        if (!isRing_)
+            std::ranges::rotate(parts_, start);
+    }
+
+    /// Two curves that cross at a small angle, or touch, are near to each other for a while, too.
+    /// They are no borders of one thing, and meet as true curves do: where both go on smoothly at
+    /// both ends of a run, and are the same nowhere.
+    void dropTouches()
+    {
+        for (std::size_t i = 0, end = 0; i < parts_.size(); i = end) {
+            for (end = i + 1; end < parts_.size() && parts_[end].goesOn;)
+                ++end;
+            const auto run = std::span(parts_).subspan(i, end - i);
+            if (!isBorder(run))
+                for (const Part& part : run)
+                    part.shared->isTouch = true;
+        }
+        for (auto& segment : segments_)
+            if (segment)
+                std::erase_if(segment->shared, std::mem_fn(&Shared::isTouch));
+    }
+
+private:
     struct Part {
         std::size_t segment;
         Shared* shared;
         bool goesOn = false; ///< from the part before it
     };
-    std::vector<Part> parts;
-    for (std::size_t i = 0; i < segments.size(); ++i)
-        if (segments[i])
-            for (Shared& shared : segments[i]->shared)
-                parts.push_back({i, &shared});
-    if (parts.empty())
-        return;
-    const auto before = [&](std::size_t segment) {
-        return segment > 0 ? segment - 1 : segments.size() - 1;
-    };
-    const auto isJoined = [&](std::size_t segment) { // to the curve before it
-        return segments[before(segment)] && (segment > 0 || path.segments.back().to == path.start);
-    };
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const Part& last = parts[i > 0 ? i - 1 : parts.size() - 1];
-        Part& part = parts[i];
-        const bool isNext = i > 0 && last.segment == part.segment;
-        const bool isOver = isJoined(part.segment) && last.segment == before(part.segment);
-        part.goesOn = (isNext || isOver)
-                      && glm::distance(last.shared->atHigh, part.shared->atLow) <= stillNear();
+
+    std::size_t before(std::size_t segment) const
+    {
+        return segment > 0 ? segment - 1 : segments_.size() - 1;
     }
-    const auto endsAt = [&](std::size_t segment) { // where a segment begins
+    /// Whether the segment before it is a curve, too.
+    bool isJoined(std::size_t segment) const
+    {
+        return segments_[before(segment)] && (segment > 0 || isClosed_);
+    }
+    bool goesOn(const Part& last, const Part& part, bool isLater) const
+    {
+        const bool isNext = isLater && last.segment == part.segment;
+        const bool isOver = isJoined(part.segment) && last.segment == before(part.segment);
+        return (isNext || isOver)
+               && glm::distance(last.shared->atHigh, part.shared->atLow) <= border_.stillNear();
+    }
+    /// Whether the path begins or turns where a segment begins.
+    bool turnsBefore(std::size_t segment) const
+    {
         return !isJoined(segment)
-               || !areParallel(segments[before(segment)]->curve.slope(1),
-                               segments[segment]->curve.slope(0));
-    };
-    const auto isEnd = [&](const Part& part, bool high) {
-        const std::size_t next = part.segment + 1 < segments.size() ? part.segment + 1 : 0;
+               || !areParallel(segments_[before(segment)]->curve.slope(1),
+                               segments_[segment]->curve.slope(0));
+    }
+    /// Whether the path or the border ends or turns at an end of a part.
+    bool endsAt(const Part& part, bool high) const
+    {
+        const std::size_t next = part.segment + 1 < segments_.size() ? part.segment + 1 : 0;
         const Point& at = high ? part.shared->atHigh : part.shared->atLow;
-        const Point end = segments[part.segment]->curve.at(high);
-        const bool ofCurve = glm::distance(at, end) <= stillNear()
-                             && (high ? !segments[next] || endsAt(next) : endsAt(part.segment));
-        return ofCurve || turnsAt(at);
-    };
-    const auto starts = std::ranges::find(parts, false, &Part::goesOn);
-    const bool isRing = starts == parts.end();
-    if (!isRing)
-        std::ranges::rotate(parts, starts);
-    for (std::size_t i = 0, end = 0; i < parts.size(); i = end) {
+        const bool isNode =
+            glm::distance(at, segments_[part.segment]->curve.at(high)) <= border_.stillNear();
+        const bool turns = high ? !segments_[next] || turnsBefore(next) : turnsBefore(part.segment);
+        return (isNode && turns) || border_.turnsAt(at);
+    }
+    bool isBorder(std::span<const Part> run) const
+    {
         int near = 0, same = 0;
         double length = 0;
-        for (end = i; end == i || (end < parts.size() && parts[end].goesOn); ++end) {
-            const Shared& shared = *parts[end].shared;
-            near += shared.near;
-            same += shared.same;
-            length += glm::distance(shared.atLow, shared.atHigh);
+        for (const Part& part : run) {
+            near += part.shared->near;
+            same += part.shared->same;
+            length += glm::distance(part.shared->atLow, part.shared->atHigh);
         }
-        const bool isLong = length > 4 * stillNear(); // otherwise everything is near that crosses
-        const bool isBorder = isRing || isEnd(parts[i], false) || isEnd(parts[end - 1], true)
-                              || 2 * same >= places * int(end - i);
-        if (near == 0 || !isBorder || !(isLong || isRing))
-            for (std::size_t k = i; k < end; ++k)
-                parts[k].shared->isTouch = true;
+        if (near == 0)
+            return false;
+        const bool isLong = length > 4 * border_.stillNear(); // what crosses is near for a while
+        const bool isSame = 2 * same >= places * int(run.size());
+        return isRing_
+               || (isLong && (isSame || endsAt(run.front(), false) || endsAt(run.back(), true)));
     }
-    for (auto& segment : segments)
-        if (segment)
-            std::erase_if(segment->shared, std::mem_fn(&Shared::isTouch));
+
+    const CurvedBorder& border_;
+    const bool isClosed_;
+    std::vector<std::optional<Along>>& segments_;
+    std::vector<Part> parts_;
+    bool isRing_;
+};
+
+std::vector<std::optional<CurvedBorder::Along>>
+CurvedBorder::along(const Subpath& path, std::span<const Chord> plain, double tolerance) const
+{
+    std::vector<std::optional<Along>> segments(path.segments.size());
+    for (std::size_t i = 0, end = 0; i < plain.size(); i = end) {
+        const std::size_t segment = plain[i].pathSegment;
+        end = i + 1;
+        while (end < plain.size() && plain[end].pathSegment == segment)
+            ++end;
+        if (!isCurve(path, segment))
+            continue;
+        Along& along = segments[segment].emplace(
+            Along{curveAt(path, segment), plain.subspan(i, end - i), {}, {}});
+        along.near = beside(along.curve, along.plain, tolerance);
+        addShared(along, false);
+    }
+    if (isFine())
+        Runs(*this, path, segments).dropTouches();
+    for (auto& each : segments)
+        if (each)
+            addShared(*each, true);
+    return segments;
 }
 
 } // namespace app
