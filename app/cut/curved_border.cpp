@@ -55,7 +55,7 @@ CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page, double 
     if (windows.list.size() > 1)
         divideWhereWindowsCross();
     if (sides == Sides::No)
-        sides_.clear();
+        sides_.clear(), sidesAt_ = {};
 }
 
 CurvedBorder::CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page,

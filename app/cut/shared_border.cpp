@@ -16,7 +16,7 @@ namespace {
 
 bool areParallel(const Point& a, const Point& b)
 {
-    constexpr double much = 1e-3; // of a radian: nobody sees it
+    constexpr double much = 1e-3; // of a radian: it looks smooth
     return std::abs(cross(a, b)) <= much * glm::length(a) * glm::length(b) && glm::dot(a, b) > 0;
 }
 

@@ -121,7 +121,7 @@ CurvedBorder::Gap CurvedBorder::gapAt(const TrueCurve& curve, double t, const Tr
 }
 
 // Straight edges need no more corners, the curve does: where it is parallel to one, and at corners.
-// What hardly touches an edge is not cut.
+// Within a nanometre of an edge, a curve touches it, and is not cut there.
 void CurvedBorder::addSidesBeside(const TrueCurve& curve, const Chord& chord, double tolerance,
                                   std::vector<CurvePoint>& ends) const
 {

@@ -47,7 +47,7 @@ void TableCounts::add(const TableCounts& more)
 
 void BlockCut::cut(const TableRows& rows)
 {
-    // What blocks before this one need does not count, so that the rows do not depend on them.
+    // Not divided for earlier blocks, so that the rows of a block depend on its own lines alone.
     auto divided = all_.border.dividedFor(rows.lines());
     if (!divided)
         return cutAt(all_, rows);

@@ -916,6 +916,19 @@ private slots:
         }
     }
 
+    /// Lines alone at several windows, whose curves pass straight edges of each other.
+    void linesAtCurvesBesideStraightEdges()
+    {
+        const Subpath line{centre - Point(90, 1), {{centre + Point(90, 1)}}, false};
+        const ClipWindow round = roundWindow({centre, {40, 40}}),
+                         beside = roundWindow({centre + Point(20, 0), {30, 30}}),
+                         upright{QString(),
+                                 RectangleShape{{centre - Point(60, 50), centre + Point(50, 30)}}};
+        const auto parts = pathsOf(cutAt({round, beside, upright}, {line}, Keep::Inside, false));
+        QCOMPARE(parts.size(), std::size_t(1));
+        QCOMPARE(parts[0].start.x, centre.x - 60);
+    }
+
     /// A window whose subpath is a point, or whose radius is 0.
     void windowsWithoutArea()
     {
