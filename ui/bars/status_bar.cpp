@@ -252,14 +252,7 @@ void StatusBar::keepRoom()
     position_->setWidest(
         Text::tr("x %1  y %2")
             .arg(app::lengthNumber(farthest, unit, size), app::lengthText(farthest, unit, size)));
-    const std::size_t lines = session_.scene.lines().size();
-    const bool isExact =
-        app::usedAt(session_.region(), session_.variant()).algorithm == &clipping::exactAlgorithm();
-    const app::FrameTimes widest{.visible = std::max<std::size_t>(lines, 9999),
-                                 .total = std::max<std::size_t>(lines, 9999),
-                                 .differing =
-                                     isExact ? 0 : std::min(lines, app::mostDiffering + 1)};
-    visible_->setWidest(summary_.isEmpty() ? visibleText(widest) : summary_);
+    keepRoomForLines();
     times_->setWidest(Text::tr("clip %1  draw %2")
                           .arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
     if (!session_.microscope.isOpen())
@@ -270,6 +263,18 @@ void StatusBar::keepRoom()
     renderer_->setToolTip(canvas_.backendReason());
     zoom_->setWidest(Text::tr("%1 % ▾").arg(u"10,000"));
     showZoom();
+}
+
+void StatusBar::keepRoomForLines()
+{
+    const std::size_t lines = session_.scene.lines().size();
+    const bool isExact =
+        app::usedAt(session_.region(), session_.variant()).algorithm == &clipping::exactAlgorithm();
+    const app::FrameTimes widest{.visible = std::max<std::size_t>(lines, 9999),
+                                 .total = std::max<std::size_t>(lines, 9999),
+                                 .differing =
+                                     isExact ? 0 : std::min(lines, app::mostDiffering + 1)};
+    visible_->setWidest(summary_.isEmpty() ? visibleText(widest) : summary_);
 }
 
 void StatusBar::showAlgorithm(const app::Variant& variant)
@@ -294,6 +299,7 @@ void StatusBar::showAlgorithm(const app::Variant& variant)
 
 void StatusBar::followWindows()
 {
+    keepRoomForLines(); // where the algorithm cannot clip, another one is used
     if (!session_.microscope.isOpen())
         showAlgorithm(session_.variant());
 }

@@ -60,6 +60,7 @@ private:
     void followWindows();
     void showZoom();
     void keepRoom();
+    void keepRoomForLines();
     void addPaperSwitch();
     void followPaper();
     void addZoomMenu();
