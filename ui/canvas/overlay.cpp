@@ -55,11 +55,11 @@ void paintHovered(QPainter& painter, const Controller& controller)
     paintHoveredGroup(painter, controller, *hovered);
 }
 
-void paintHandle(QPainter& painter, const Controller& controller, const app::Point& end)
+void paintHandle(QPainter& painter, const Controller& controller, const app::Point& screen)
 {
     painter.setPen(QPen(controller.paperLook().selection, 1.5));
     painter.setBrush(controller.pageColour());
-    painter.drawEllipse(controller.bench().onScreen(end), 4, 4);
+    painter.drawEllipse(QPointF(screen.x, screen.y), 4, 4);
 }
 
 /// A stroke across the line where it is cut: unlike a handle, it cannot be dragged.
@@ -137,11 +137,9 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
 
 void paintEnds(QPainter& painter, const Controller& controller)
 {
-    const auto line = lineWithHandles(controller.session());
-    if (!line || !controller.tool().movesEnds())
-        return;
-    paintHandle(painter, controller, line->a);
-    paintHandle(painter, controller, line->b);
+    if (lineWithHandles(controller.session()) && controller.tool().movesEnds())
+        for (const app::Point& end : EndDrag::handles(controller.bench()))
+            paintHandle(painter, controller, end);
 }
 
 // A box around many selected objects, which are not outlined one by one; for every tool.

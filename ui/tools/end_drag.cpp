@@ -13,6 +13,7 @@
 namespace ui {
 
 constexpr double endReach = 8; // pixels
+constexpr double shortest = 48, beyondEnd = 9;
 
 /// The object that would show its ends; empty: there is none, or there are several.
 static std::optional<std::size_t> objectWithHandles(const app::Session& session)
@@ -36,14 +37,24 @@ std::optional<clipping::Segment> lineWithHandles(const app::Session& session)
 
 std::optional<EndDrag::End> EndDrag::endAt(const app::Point& screen, const Workbench& bench)
 {
-    const auto line = lineWithHandles(bench.session);
-    if (!line)
+    if (!lineWithHandles(bench.session))
         return std::nullopt;
-    const double a = glm::distance(bench.view.toScreen(line->a), screen);
-    const double b = glm::distance(bench.view.toScreen(line->b), screen);
+    const auto [atA, atB] = handles(bench);
+    const double a = glm::distance(atA, screen), b = glm::distance(atB, screen);
     if (!(std::min(a, b) <= endReach))
         return std::nullopt;
     return a < b ? End::A : End::B;
+}
+
+std::array<app::Point, 2> EndDrag::handles(const Workbench& bench)
+{
+    const auto line = lineWithHandles(bench.session);
+    const app::Point a = bench.view.toScreen(line->a), b = bench.view.toScreen(line->b);
+    const double length = glm::distance(a, b);
+    if (!(length < shortest))
+        return {a, b};
+    const app::Point aside = (length > 0 ? (b - a) / length : app::Point(1, 0)) * beyondEnd;
+    return {a - aside, b + aside};
 }
 
 void EndDrag::start(End end, const Pointer& pointer, Workbench& bench)

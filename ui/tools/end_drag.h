@@ -3,6 +3,8 @@
 
 #include "ui/tools/last_step.h"
 
+#include <array>
+
 namespace ui {
 
 /// The line whose ends are handles: the only selected object or, with nothing selected, the
@@ -15,6 +17,8 @@ class EndDrag {
 public:
     enum class End : std::uint8_t { A, B };
     static std::optional<End> endAt(const app::Point& screen, const Workbench& bench);
+    /// The places of its handles on the screen: its ends, beside which a short line is seen.
+    static std::array<app::Point, 2> handles(const Workbench& bench); ///< there is such a line
 
     bool going() const { return now_.has_value(); }
     std::optional<std::size_t> object() const;       ///< whose end is dragged

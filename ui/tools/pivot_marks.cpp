@@ -3,6 +3,7 @@
 
 #include "ui/look/text.h"
 #include "ui/tools/end_drag.h"
+#include "ui/tools/selection_marks.h"
 
 #include <glm/geometric.hpp>
 
@@ -15,7 +16,7 @@ constexpr double leastForPivot = 72, arm = 7, radius = 4; // pixels
 constexpr double besideRotation = 24;                     // pixels, to the pivot that waits there
 
 /// The place of the rotation handle on the screen.
-app::Point rotationHandle(const clipping::Window& box, const app::View& view)
+app::Point handleAbove(const clipping::Window& box, const app::View& view)
 {
     return view.toScreen(app::placeOf({0, -1}, box)) - app::Point(0, aboveBox);
 }
@@ -27,7 +28,7 @@ app::Point crossAt(const clipping::Window& box, const Workbench& bench)
     const app::Point size = bench.view.toScreen(box.max) - bench.view.toScreen(box.min);
     const bool isSmall = lineWithHandles(bench.session) || std::max(size.x, size.y) < leastForPivot;
     return isSmall && !bench.session.pivot.isMoved()
-               ? rotationHandle(box, bench.view) + app::Point(besideRotation, 0)
+               ? handleAbove(box, bench.view) + app::Point(besideRotation, 0)
                : bench.view.toScreen(bench.session.pivot.at());
 }
 
@@ -38,7 +39,7 @@ PivotMarks::Mark PivotMarks::at(const app::Point& screen, const Workbench& bench
     const auto& box = bench.session.selectionBounds();
     if (!box)
         return Mark::None;
-    if (glm::distance(screen, rotationHandle(*box, bench.view)) <= handleReach)
+    if (glm::distance(screen, handleAbove(*box, bench.view)) <= handleReach)
         return Mark::Rotation;
     return glm::distance(screen, crossAt(*box, bench)) <= pivotReach ? Mark::Pivot : Mark::None;
 }
@@ -51,15 +52,24 @@ QString PivotMarks::hint(Mark mark)
                                     : QString();
 }
 
-void PivotMarks::paint(QPainter& painter, const Workbench& bench)
+QPointF PivotMarks::rotationHandle(const Workbench& bench)
+{
+    const app::Point at = handleAbove(*bench.session.selectionBounds(), bench.view);
+    return {at.x, at.y};
+}
+
+void PivotMarks::paint(QPainter& painter, const Workbench& bench, bool near)
 {
     const auto& box = bench.session.selectionBounds();
-    if (!box)
+    const bool hides = !near && !bench.session.pivot.isMoved();
+    if (!box || (hides && SelectionMarks::isSmall(*box, bench)))
         return;
     const app::Point cross = crossAt(*box, bench);
     paintPivot(painter, {cross.x, cross.y}, bench.look);
-    const app::Point handle = rotationHandle(*box, bench.view);
-    const QPointF at(handle.x, handle.y), top = bench.onScreen(app::placeOf({0, -1}, *box));
+    const QPointF at = rotationHandle(bench);
+    const bool isLine = lineWithHandles(bench.session).has_value(); // which has no box
+    const clipping::Window around = isLine ? *box : SelectionMarks::boxAround(*box, bench);
+    const QPointF top = bench.onScreen(app::placeOf({0, -1}, around));
     painter.setPen(QPen(bench.look.selection, 1));
     painter.drawLine(top - QPointF(0, radius), at + QPointF(0, radius));
     painter.setPen(QPen(bench.look.selection, 1.5));

@@ -10,6 +10,7 @@
 #include "ui/tools/guide_drag.h"
 #include "ui/tools/picking_marks.h"
 #include "ui/tools/pivot_marks.h"
+#include "ui/tools/selection_marks.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/transform_gesture.h"
 #include "ui/tools/window_gesture.h"
@@ -132,15 +133,15 @@ private:
         boxHandle_.reset();
         hoveredSegment_.reset();
         mark_ = Mark::None;
+        near_ = false;
     }
     void lookUnder(const Pointer& pointer, Workbench& bench);
+    void lookNear(const Pointer& pointer, const Workbench& bench);
     void click(const Pointer& pointer, Workbench& bench);
     app::Picking::Box how(const Pointer& pointer) const;
     void selectBox(const Pointer& pointer, Workbench& bench);
     void startDrag(Workbench& bench);
     void start(const app::Transformation& kind, const app::Point& pointer, Workbench& bench);
-    void paintBounds(QPainter& painter, const Workbench& bench,
-                     const clipping::Window& bounds) const;
 
     WindowGesture gesture_;
     TransformGesture transform_;
@@ -154,6 +155,7 @@ private:
     std::optional<app::Handle> boxHandle_;
     std::optional<std::size_t> hoveredSegment_; ///< hovered segment of the scene
     Mark mark_ = Mark::None;                    ///< hovered
+    bool near_ = false;                         ///< the pointer is near the selection
     Drag drag_ = Drag::None;
     Pointer from_{}, to_{};
 };
@@ -170,15 +172,22 @@ void SelectTool::lookUnder(const Pointer& pointer, Workbench& bench)
     hoveredEnd_ = hoveredHandle_ ? std::nullopt : EndDrag::endAt(pointer.screen, bench);
     const auto box = hoveredHandle_ ? std::nullopt : boxAround(bench.session);
     mark_ = hoveredHandle_ || hoveredEnd_ ? Mark::None : PivotMarks::at(pointer.screen, bench);
-    boxHandle_ = box && mark_ == Mark::None
-                     ? app::handleAt(pointer.screen, *box, bench.view, boxReach)
-                     : std::nullopt;
+    boxHandle_ = box && mark_ == Mark::None ? app::handleAt(
+                     pointer.screen, SelectionMarks::boxAround(*box, bench), bench.view, boxReach)
+                                            : std::nullopt;
+    lookNear(pointer, bench);
     hoveredSegment_ = hoveredHandle_ || boxHandle_ || mark_ != Mark::None
                           ? std::nullopt
                           : bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
     const bool other = hoveredHandle_ || hoveredEnd_ || boxHandle_ || hoveredSegment_;
     hoveredGuide_ =
         other || mark_ != Mark::None ? std::nullopt : GuideDrag::guideAt(pointer.screen, bench);
+}
+
+void SelectTool::lookNear(const Pointer& pointer, const Workbench& bench)
+{
+    const auto& bounds = bench.session.selectionBounds();
+    near_ = bounds && SelectionMarks::isNear(pointer.screen, *bounds, bench);
 }
 
 void SelectTool::press(const Pointer& pointer, Workbench& bench)
@@ -318,6 +327,7 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
     else if (drag == Drag::Transform)
         transform_.finish(bench);
     hoveredSegment_.reset();
+    lookNear(pointer, bench);
 }
 
 /// Enters a group, edits a text, or shows the nodes of a path; beside all objects it leaves the
@@ -461,22 +471,9 @@ void SelectTool::paint(QPainter& painter, const Workbench& bench) const
     transform_.paint(painter, bench);
     const auto box = boxAround(bench.session);
     if (box && !transform_.going())
-        paintBounds(painter, bench, resize_.going() ? resize_.target() : *box);
+        SelectionMarks::paint(painter, bench, resize_.going() ? resize_.target() : *box, near_);
     if (!resize_.going() && !end_.going() && !transform_.going())
-        PivotMarks::paint(painter, bench);
-}
-
-// Paints the selection's bounding box with round handles at its corners and sides.
-void SelectTool::paintBounds(QPainter& painter, const Workbench& bench,
-                             const clipping::Window& box) const
-{
-    painter.setPen(QPen(bench.look.selection, 1));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRectF(bench.onScreen(box.min), bench.onScreen(box.max)));
-    painter.setPen(QPen(bench.look.selection, 1.5));
-    painter.setBrush(bench.look.paper);
-    for (const app::PlacedHandle& placed : app::placedHandles(box, bench.view))
-        painter.drawEllipse(QPointF(placed.screen.x, placed.screen.y), 4, 4);
+        PivotMarks::paint(painter, bench, near_);
 }
 
 } // namespace

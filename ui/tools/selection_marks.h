@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/tools/tool.h"
+
+namespace ui {
+
+/// The box and the handles of selected objects, which never hide them: they lie outside.
+class SelectionMarks {
+public:
+    /// The box around `bounds`, on which the handles are. In the drawing.
+    static clipping::Window boxAround(const clipping::Window& bounds, const Workbench& bench);
+    /// Whether the pointer is so near that marks which are not always shown are wanted.
+    static bool isNear(const app::Point& screen, const clipping::Window& bounds,
+                       const Workbench& bench);
+    /// The selected object is a text: a quiet box, until the pointer is near.
+    static bool isQuiet(const app::Session& session);
+    /// Whether it is so small that what rotates it is in the way until the pointer is near.
+    static bool isSmall(const clipping::Window& bounds, const Workbench& bench);
+    /// `near`: as isNear() says.
+    static void paint(QPainter& painter, const Workbench& bench, const clipping::Window& bounds,
+                      bool near);
+};
+
+/// The selection on the screen, and the places of what its marks are made of; there is one. In
+/// logical pixels.
+QRectF selectionOnScreen(const Workbench& bench);
+std::vector<QRectF> selectionMarks(const Workbench& bench);
+
+} // namespace ui
