@@ -49,6 +49,7 @@ public:
 HistoryPanel::HistoryPanel(const app::History& history, QWidget* parent)
     : model_(new HistoryModel(history, this))
 {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     setParent(parent);
     setModel(model_);
     setItemDelegate(new StepDelegate(this));
@@ -59,6 +60,12 @@ HistoryPanel::HistoryPanel(const app::History& history, QWidget* parent)
     setMinimumHeight(3 * space::rowHeight);
     connect(model_, &HistoryModel::dataChanged, this, &HistoryPanel::follow);
     follow();
+}
+
+QSize HistoryPanel::sizeHint() const
+{
+    constexpr int rows = 4;
+    return {PanelList::sizeHint().width(), rows * space::rowHeight};
 }
 
 void HistoryPanel::follow()

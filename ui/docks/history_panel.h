@@ -14,6 +14,8 @@ class HistoryPanel : public PanelList {
 public:
     explicit HistoryPanel(const app::History& history, QWidget* parent = nullptr);
 
+    QSize sizeHint() const override; ///< a few rows: lists above get the rest
+
 signals:
     void stepWanted(int index); ///< the number of steps that shall be done
 
