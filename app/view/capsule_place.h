@@ -12,8 +12,8 @@ namespace app {
 /// The surroundings of a thing on the canvas, beside which its bar of controls is to be placed. All
 /// in logical pixels.
 struct CapsuleRoom {
-    QSizeF canvas;
-    QRectF box;                        ///< of the thing that it belongs to, with its handles
+    QSizeF canvas{};
+    QRectF box{};                      ///< of the thing that it belongs to, with its handles
     std::vector<QRectF> covered{};     ///< what must be seen: handles, names, small neighbours
     std::optional<QPointF> released{}; ///< where the pointer was let go
 };

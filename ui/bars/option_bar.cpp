@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/option_bar.h"
 
-#include "app/drawing/dash_patterns.h"
+#include "ui/bars/arrange_row.h"
 #include "ui/bars/grid_choice.h"
 #include "ui/bars/node_row.h"
 #include "ui/bars/snap_choice.h"
@@ -10,15 +10,15 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
+#include "ui/style/stroke_row.h"
 #include "ui/style/style_popup.h"
-#include "ui/widgets/elements.h"
-#include "ui/widgets/icon_sign.h"
+#include "ui/tools/tool.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/segments.h"
-#include "ui/widgets/tool_list.h"
 
 #include <QAction>
-#include <QLayout>
+#include <QHBoxLayout>
 #include <QResizeEvent>
 
 #include <algorithm>
@@ -42,115 +42,97 @@ void showKeyInTip(QAction& action)
     refresh();
 }
 
+QWidget* emptyRow()
+{
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(space::labelToField);
+    return row;
+}
+
 } // namespace
 
 OptionBar::OptionBar(app::Session& session, Canvas& canvas)
-    : QToolBar(Text::tr("Tool options")), session_(session),
-      strokeColour_(new ColourChoice(session, canvas, &app::Style::stroke)),
-      width_(new LengthField(Text::tr("Stroke width"), LengthField::Range::NotNegative,
-                             LengthField::Suffix::Unit)),
-      dashes_(new ToolList), style_(new QToolButton),
-      stylePopup_(new StylePopup(session, canvas, *style_)), snapping_(new SnapChoice(canvas)),
-      grid_(new GridChoice(session)),
+    : QToolBar(Text::tr("Tool options")), session_(session), canvas_(canvas),
+      tool_(new QToolButton), stroke_(new StrokeRow(session, canvas, StrokeRow::Frame::Fields)),
+      style_(new QToolButton), arranging_(new ArrangeRow(session)),
+      stylePopup_(new StylePopup(session, canvas, this)), grid_(new GridChoice(session)),
       keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
       removed_(new Segments(Text::tr("Removed part"),
                             {Text::tr("Ghosted"), Text::tr("Hidden"), Text::tr("Shown")})),
       panes_(new Segments(Text::tr("Panes"),
                           {Text::tr("1"), Text::tr("2"), Text::tr("4"), Text::tr("All")})),
-      window_(new WindowOptions(session, canvas)), nodes_(new NodeRow), tiles_(new QToolButton),
-      export_(new QToolButton)
+      nodes_(new NodeRow), view_(emptyRow()), export_(new QToolButton)
 {
     setObjectName(QStringLiteral("options"));
     setIconSize({18, 18});
     setFixedHeight(space::optionsHeight);
     setContentsMargins(6, 0, 8, 0);
     addSeparator();
-    const qsizetype before = actions().size();
-    addStroke();
-    ofOthers_ = actions().mid(before);
-    windowShown_ = addWidget(window_);
-    const auto focusCanvas = [&canvas] { canvas.setFocus(); };
-    connect(dashes_, &ToolList::done, &canvas, focusCanvas);
-    for (LengthField* field : {width_, &grid_->spacing()}) {
-        connect(field, &LengthField::entered, &canvas, focusCanvas);
-        connect(field, &LengthField::refused, this, &OptionBar::refused);
-        connect(field, &LengthField::taken, this, &OptionBar::taken);
-    }
+    addTool();
+    connect(arranging_, &ArrangeRow::done, &canvas, [&canvas] { canvas.setFocus(); });
+    addGroup([this] { addStroke(); },
+             [this] { return drawsOrRests() || (arranges() && !canvas_.showsCapsule()); });
+    addGroup([this] { addWidget(arranging_); }, [this] { return arranges(); });
+    addGroup([this] { addWidget(nodes_); }, [this] { return uses({"nodes"}); });
+    addGroup([this] { addWidget(view_); }, [this] { return uses({"hand", "zoom"}); });
+    addGroup([&] { addWidget(new WindowOptions(session_, canvas_)); },
+             [this] { return uses({"window"}); });
     addClipping();
-    addPanes(canvas);
-    instead_ = actions().mid(1); // after the separator behind undo and redo
-    nodesShown_ = addWidget(nodes_);
-    auto* room = new QWidget;
-    room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    addWidget(room);
-    addWidget(snapping_);
-    addWidget(grid_);
-    addSeparator();
-    tilesPlace_ = addWidget(tiles_);
-    addExport();
-    connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
-    connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
-    connect(&session, &app::Session::loaded, this, &OptionBar::followDisplay, Qt::QueuedConnection);
-    connect(&session.document, &app::EditedDocument::changed, this, &OptionBar::followDisplay);
-    connect(&canvas, &Canvas::toolChanged, this, [this, &canvas] { showOptionsOf(canvas.tool()); });
-    showOptionsOf(canvas.tool());
-    followDisplay();
+    addPanes();
+    addFixed();
+    for (const auto signal : {&app::Session::displayChanged, &app::Session::selectionChanged})
+        connect(&session, signal, this, &OptionBar::follow);
+    connect(&session, &app::Session::loaded, this, &OptionBar::follow, Qt::QueuedConnection);
+    connect(&session.document, &app::EditedDocument::changed, this, &OptionBar::follow);
+    connect(&canvas, &Canvas::toolChanged, this, &OptionBar::follow);
+    connect(&canvas, &Canvas::capsuleSwitched, this, &OptionBar::follow);
+    follow();
 }
 
-void OptionBar::showOptionsOf(std::string_view tool)
+void OptionBar::addGroup(const std::function<void()>& add, std::function<bool()> offered, int until)
 {
-    tool_ = tool;
-    nodesShown_->setVisible(tool_ == "nodes");
-    for (QAction* action : instead_)
-        action->setVisible(isOffered(action));
-    fitInto(width());
+    const qsizetype before = actions().size();
+    add();
+    groups_.push_back({actions().mid(before), std::move(offered), until});
 }
 
-bool OptionBar::isOffered(QAction* action) const
+bool OptionBar::uses(std::initializer_list<std::string_view> tools) const
 {
-    if (tool_ == "nodes")
-        return !instead_.contains(action);
-    if ((ofWindows_.contains(action) && !hasWindows_)
-        || (ofPanes_.contains(action) && !panesOffered_ && !hasPanes_))
-        return false;
-    return tool_ == "window" ? !ofOthers_.contains(action) : action != windowShown_;
+    return std::ranges::find(tools, canvas_.tool()) != tools.end();
+}
+
+bool OptionBar::arranges() const { return uses({"select"}) && !session_.selection().empty(); }
+
+/// With Select and nothing selected, what is drawn next is in hand.
+bool OptionBar::drawsOrRests() const
+{
+    return !uses({"nodes", "hand", "zoom", "window"}) && !arranges();
+}
+
+/// Only says what is in hand: the tools are at the side.
+void OptionBar::addTool()
+{
+    tool_->setObjectName(QStringLiteral("tool-in-hand"));
+    tool_->setAutoRaise(true);
+    tool_->setFocusPolicy(Qt::NoFocus);
+    tool_->setFont(semiBold(font()));
+    tool_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    addWidget(tool_);
 }
 
 void OptionBar::addStroke()
 {
-    addWidget(strokeColour_);
-    addCaption(Text::tr("Stroke"))->setForegroundRole(QPalette::WindowText);
-    width_->setToolTip(Text::tr("Stroke width"));
-    new RoomForText(*width_, QStringLiteral("00.000 mm"), 28);
-    addWidget(width_);
-    dashes_->setToolTip(Text::tr("Dashes"));
-    dashes_->setAccessibleName(Text::tr("Dashes"));
-    dashes_->setIconSize({36, 12});
-    dashes_->setFixedSize(72, space::fieldHeight);
-    for (const app::DashPattern& pattern : app::dashPatterns()) {
-        dashes_->addItem(dashIcon(pattern), QString());
-        dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::AccessibleTextRole);
-    }
-    addWidget(dashes_);
     style_->setIcon(icon("style"));
     style_->setObjectName(QStringLiteral("style"));
-    addWidget(style_);
-    connect(style_, &QToolButton::clicked, stylePopup_, &StylePopup::open);
+    stroke_->layout()->addWidget(style_);
+    addWidget(stroke_);
+    connect(&stroke_->width(), &LengthField::refused, this, &OptionBar::refused);
+    connect(&stroke_->width(), &LengthField::taken, this, &OptionBar::taken);
+    connect(style_, &QToolButton::clicked, this, &OptionBar::openStyle);
     connect(&stylePopup_->panel(), &StylePanel::refused, this, &OptionBar::refused);
     connect(&stylePopup_->panel(), &StylePanel::taken, this, &OptionBar::taken);
-    connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
-        app::restyle(
-            session_, [width](app::Style& style) { app::setWidth(style, width); },
-            Text::tr("Stroke width"), merging);
-        followStyle();
-    });
-    connect(dashes_, &QComboBox::activated, this, [this](int index) {
-        const auto& pattern = app::dashPatterns()[std::size_t(index)];
-        app::restyle(
-            session_, [&](app::Style& style) { style.dashes = app::scaled(pattern, style.width); },
-            Text::tr("Dashes"), app::Merging::WithLast);
-        followStyle();
-    });
 }
 
 void OptionBar::setStyleCommand(QAction& style)
@@ -160,27 +142,34 @@ void OptionBar::setStyleCommand(QAction& style)
     style_->setAccessibleName(style.iconText().remove(u'…'));
 }
 
-void OptionBar::openStyle() { stylePopup_->open(); }
+void OptionBar::openStyle() { stylePopup_->open(style_->isVisible() ? *style_ : *tool_); }
 
 void OptionBar::takeColour(app::PaintPart part)
 {
-    const app::PaintPart shown = strokeColour_->part();
-    strokeColour_->setPart(part);
-    strokeColour_->startEyedropper();
-    strokeColour_->setPart(shown);
+    ColourChoice& colour = stroke_->colour();
+    const app::PaintPart shown = colour.part();
+    colour.setPart(part);
+    colour.startEyedropper();
+    colour.setPart(shown);
 }
 
 void OptionBar::addClipping()
 {
-    const qsizetype before = actions().size();
-    addSeparator();
-    addCaption(Text::tr("Keep"));
-    addWidget(keep_);
-    ofOthers_ += actions().mid(before);
-    addSeparator();
-    addCaption(Text::tr("Removed part"));
-    addWidget(removed_);
-    ofWindows_ = actions().mid(before);
+    const auto hasWindows = [this] { return !session_.now().windows().list.empty(); };
+    addGroup(
+        [this] {
+            addSeparator();
+            addCaption(Text::tr("Keep"));
+            addWidget(keep_);
+        },
+        [this, hasWindows] { return hasWindows() && drawsOrRests(); }); // its panel has it
+    addGroup(
+        [this] {
+            addSeparator();
+            addCaption(Text::tr("Removed part"));
+            addWidget(removed_);
+        },
+        [this, hasWindows] { return hasWindows() && (drawsOrRests() || uses({"window"})); }, 3);
     connect(keep_, &Segments::picked, this,
             [this](int index) { setKeep(session_, app::Keep(index)); });
     connect(removed_, &Segments::picked, this, [this](int index) {
@@ -189,28 +178,30 @@ void OptionBar::addClipping()
     });
 }
 
-void OptionBar::addPanes(Canvas& canvas)
+void OptionBar::addPanes()
 {
     // Pane counts; the last choice is all.
     static constexpr std::array<std::size_t, 3> counts{1, 2, 4};
-    const qsizetype before = actions().size();
-    addSeparator();
-    addCaption(Text::tr("Panes"));
     panes_->setObjectName(QStringLiteral("panes"));
-    addWidget(panes_);
-    ofPanes_ = actions().mid(before);
     panes_->setToolTip(
         Text::tr("Show the drawing in several panes, each with its own algorithm (Ctrl+1, "
                  "Ctrl+2, Ctrl+4, Ctrl+9)"));
-    connect(panes_, &Segments::picked, this, [&canvas](int index) {
-        app::Panes panes = canvas.panes();
+    addGroup(
+        [this] {
+            addSeparator();
+            addCaption(Text::tr("Panes"));
+            addWidget(panes_);
+        },
+        [this] { return !uses({"nodes"}) && (panesOffered_ || canvas_.panes().size() > 1); });
+    connect(panes_, &Segments::picked, this, [this](int index) {
+        app::Panes panes = canvas_.panes();
         std::size_t(index) < counts.size() ? panes.show(counts[std::size_t(index)])
                                            : panes.showAll();
-        canvas.setPanes(panes);
-        canvas.setFocus();
+        canvas_.setPanes(panes);
+        canvas_.setFocus();
     });
-    const auto follow = [this, &canvas] {
-        const app::Panes& panes = canvas.panes();
+    const auto showCount = [this] {
+        const app::Panes& panes = canvas_.panes();
         const auto count = std::ranges::find(counts, panes.size());
         if (panes.showsAll())
             panes_->choose(int(counts.size()));
@@ -218,16 +209,42 @@ void OptionBar::addPanes(Canvas& canvas)
             panes_->choose(int(count - counts.begin()));
         else
             panes_->chooseNone();
-        hasPanes_ = panes.size() > 1;
     };
-    connect(&canvas, &Canvas::panesChanged, this, [this, follow] {
+    connect(&canvas_, &Canvas::panesChanged, this, [this, showCount] {
+        showCount();
         follow();
-        showOptionsOf(tool_);
     });
-    follow();
+    showCount();
+}
+
+/// What has the same place with every tool.
+void OptionBar::addFixed()
+{
+    auto* room = new QWidget;
+    room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addWidget(room);
+    addWidget(new SnapChoice(canvas_));
+    addWidget(grid_);
+    addSeparator();
+    addExport();
+    LengthField& spacing = grid_->spacing();
+    connect(&spacing, &LengthField::entered, &canvas_, [this] { canvas_.setFocus(); });
+    connect(&spacing, &LengthField::refused, this, &OptionBar::refused);
+    connect(&spacing, &LengthField::taken, this, &OptionBar::taken);
 }
 
 void OptionBar::addNodeStep(QAction& step) { nodes_->add(step); }
+
+void OptionBar::addViewStep(QAction& step)
+{
+    auto* button = new QToolButton;
+    button->setProperty("framed", true);
+    button->setFixedHeight(space::fieldHeight);
+    button->setDefaultAction(&step);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    showKeyInTip(step);
+    view_->layout()->addWidget(button);
+}
 
 void OptionBar::addSteps(QAction& undo, QAction& redo)
 {
@@ -243,27 +260,15 @@ void OptionBar::setExport(QAction& exportCut)
     export_->setDefaultAction(&exportCut);
 }
 
-void OptionBar::setTiles(QAction& tiles)
-{
-    showKeyInTip(tiles);
-    tiles_->setDefaultAction(&tiles);
-    tiles_->setToolButtonStyle(Qt::ToolButtonIconOnly);
-}
-
-void OptionBar::offerTiles(bool offered)
-{
-    tilesOffered_ = offered;
-    fitInto(width());
-}
-
 void OptionBar::offerPanes(bool offered)
 {
     panesOffered_ = offered;
-    showOptionsOf(tool_);
+    follow();
 }
 
 void OptionBar::addExport()
 {
+    export_->setObjectName(QStringLiteral("export-button"));
     export_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     export_->setFixedHeight(space::fieldHeight + 2);
     export_->setProperty("framed", true);
@@ -273,11 +278,9 @@ void OptionBar::addExport()
 
 QLabel* OptionBar::addCaption(const QString& text)
 {
-    auto* caption = new QLabel(text);
-    caption->setForegroundRole(QPalette::PlaceholderText);
+    QLabel* caption = quietLabel(text);
     caption->setContentsMargins(2, 0, 4, 0);
-    addWidget(caption);
-    captions_ << caption;
+    captions_ << addWidget(caption);
     return caption;
 }
 
@@ -299,49 +302,42 @@ void OptionBar::fitInto(int width)
 /// Step 0 shows everything; each further step takes less room.
 void OptionBar::arrange(int step)
 {
-    tilesPlace_->setVisible(step < 1 && tilesOffered_);
+    for (const Group& group : groups_) {
+        const bool offered = step < group.until && group.offered();
+        for (QAction* part : group.parts)
+            part->setVisible(offered && (step < 1 || !captions_.contains(part)));
+    }
+    tool_->setToolButtonStyle(step < 2 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    arranging_->showOptions(step < 3);
+    grid_->showSpacing(step < 4);
     export_->setToolButtonStyle(step < 5 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
-    for (QAction* action : actions())
-        if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
-            action->setVisible(step < 2 && isOffered(action));
-    grid_->showSpacing(step < 3);
-    snapping_->showKinds(step < 4);
-    // Or the sizes are those of before, until events are handled.
-    grid_->layout()->invalidate();
-    snapping_->layout()->invalidate();
+    grid_->layout()->invalidate(); // or the sizes are those of before, until events are handled
     layout()->invalidate();
 }
 
 void OptionBar::changeEvent(QEvent* event)
 {
     QToolBar::changeEvent(event);
-    if (event->type() == QEvent::FontChange) // when its fields have followed, too
+    if (event->type() == QEvent::FontChange) { // when its fields have followed, too
+        tool_->setFont(semiBold(font()));
         QMetaObject::invokeMethod(
             this, [this] { fitInto(width()); }, Qt::QueuedConnection);
+    }
 }
 
-void OptionBar::followDisplay()
+void OptionBar::follow()
 {
     keep_->choose(int(session_.now().windows().keep));
     removed_->choose(int(session_.display().removed));
-    if (const bool has = !session_.now().windows().list.empty(); has != hasWindows_) {
-        hasWindows_ = has;
-        showOptionsOf(tool_);
-    }
-    followStyle();
-}
-
-void OptionBar::followStyle()
-{
-    const std::vector<app::Style> styles = app::shownStyles(session_);
-    const app::Unit unit = session_.display().unit;
-    const double size = session_.now().page().millimetresPerUnit();
-    if (app::common(styles, &app::Style::width))
-        width_->show(styles.front().width, unit, size);
-    else
-        width_->showMixed(styles.front().width, unit, size);
-    const auto pattern = app::common(styles, app::patternOf).value_or(std::nullopt);
-    dashes_->setCurrentIndex(pattern ? int(*pattern) : -1);
+    const ToolInfo& tool = *findTool(canvas_.tool());
+    tool_->setIcon(icon(tool.key));
+    tool_->setText(tool.name);
+    std::vector<bool> now;
+    for (const Group& group : groups_)
+        now.push_back(group.offered());
+    if (std::exchange(shown_, now) != now || tool_->text() != named_)
+        fitInto(width());
+    named_ = tool_->text();
 }
 
 } // namespace ui

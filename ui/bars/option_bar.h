@@ -7,23 +7,26 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <functional>
+#include <vector>
+
 namespace ui {
 
+class ArrangeRow;
 class GridChoice;
-class LengthField;
 class NodeRow;
 class Segments;
-class SnapChoice;
+class StrokeRow;
 class StylePopup;
-class ToolList;
-class WindowOptions;
 
-/// The bar across the top: undo, redo, the stroke of selected or new objects, or the options of the
-/// tool Clip window in their place, while there is a window the side that is kept and how the
-/// removed part is shown, panes if they are offered or there are several; at the right snapping,
-/// grid, tiles and export. With the tool Nodes, the commands for nodes take the place of stroke,
-/// clipping and panes. If it is narrow, it first drops the button of the tiles, then captions, the
-/// grid's spacing, the list of kinds to snap to, and last the export button's text.
+/// The bar across the top: undo and redo, the tool in hand, and what belongs to it. While something
+/// is drawn, or nothing is selected: the stroke, and while there is a window the side that is kept
+/// and how the removed part is shown. With selected objects what arranges them; their stroke is in
+/// their capsule. With the tools Nodes and Clip window their options, with Hand and Zoom what fits
+/// the view. Panes if they are offered or there are several. At the right snapping, grid and
+/// export, always at the same place. If it is narrow, it drops captions, then the tool's name, the
+/// removed part and what arranging refers to, the grid's spacing, and last the export button's
+/// text.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -34,11 +37,10 @@ public:
     void addSteps(QAction& undo, QAction& redo);
     /// Adds the button of a command for nodes.
     void addNodeStep(QAction& step);
+    /// Adds the button of a command that fits the view.
+    void addViewStep(QAction& step);
     /// Gives this command the button at the right.
     void setExport(QAction& exportCut);
-    /// Gives this command a button left of it, shown while it is offered and there is room.
-    void setTiles(QAction& tiles);
-    void offerTiles(bool offered);
     void offerPanes(bool offered);
     /// Names this command's key on the button that opens the panel Style.
     void setStyleCommand(QAction& style);
@@ -55,39 +57,44 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// Parts of the bar that are offered together.
+    struct Group {
+        QList<QAction*> parts;
+        std::function<bool()> offered;
+        int until = 99; ///< the step of arrange() at which there is no room for it
+    };
+    void addTool();
     void addStroke();
     void addClipping();
-    void addPanes(Canvas& canvas);
-    void showOptionsOf(std::string_view tool);
-    bool isOffered(QAction* action) const; ///< for the tool in hand
+    void addPanes();
+    void addFixed();
     void addExport();
+    void addGroup(const std::function<void()>& add, std::function<bool()> offered, int until = 99);
+    QLabel* addCaption(const QString& text);
+    bool uses(std::initializer_list<std::string_view> tools) const;
+    bool arranges() const; ///< the selected objects are in hand
+    bool drawsOrRests() const;
+    void follow();
     void fitInto(int width);
     void arrange(int step);
-    QLabel* addCaption(const QString& text);
-    void followDisplay();
-    void followStyle();
 
     app::Session& session_;
-    ColourChoice* strokeColour_;
-    LengthField* width_;
-    ToolList* dashes_;
+    Canvas& canvas_;
+    QToolButton* tool_; ///< its icon and name
+    StrokeRow* stroke_;
     QToolButton* style_;
+    ArrangeRow* arranging_;
     StylePopup* stylePopup_;
-    SnapChoice* snapping_;
     GridChoice* grid_;
     Segments *keep_, *removed_, *panes_;
-    WindowOptions* window_;
-    QAction* windowShown_ = nullptr; ///< the place of its options in the bar
-    QList<QAction*> ofOthers_;       ///< not for it: the stroke, and Keep, which its panel has
-    QList<QAction*> ofWindows_, ofPanes_;
-    std::string_view tool_{};
-    QList<QLabel*> captions_;
     NodeRow* nodes_;
-    QAction* nodesShown_;     ///< the place of the commands for nodes in the bar
-    QList<QAction*> instead_; ///< what they take the place of
-    QToolButton *tiles_, *export_;
-    QAction* tilesPlace_ = nullptr; ///< of the button
-    bool tilesOffered_ = false, panesOffered_ = false, hasWindows_ = false, hasPanes_ = false;
+    QWidget* view_;
+    QToolButton* export_;
+    std::vector<Group> groups_;
+    QList<QAction*> captions_;
+    bool panesOffered_ = false;
+    std::vector<bool> shown_; ///< of each group: whether it was offered when all was arranged
+    QString named_;           ///< and the tool's name then
 };
 
 } // namespace ui

@@ -9,22 +9,22 @@ namespace ui {
 
 class TickingMenu;
 
-/// Switches snapping, and chooses the kinds of places that the pointer snaps to.
-class SnapChoice : public QWidget {
+/// Switches snapping. Held, right clicked or with Alt+Down it opens the kinds of places that the
+/// pointer snaps to.
+class SnapChoice : public QToolButton {
     Q_OBJECT
 
 public:
     explicit SnapChoice(Canvas& canvas);
 
-    /// Where there is no room for the list of kinds, a right click on the magnet opens it.
-    void showKinds(bool shown);
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     void addKinds();
     void follow();
 
     Canvas& canvas_;
-    QToolButton *switch_, *kinds_;
     TickingMenu* menu_;
 };
 

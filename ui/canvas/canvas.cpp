@@ -13,7 +13,8 @@ Canvas::Parts::Parts(app::Session& session, Backend wish, Canvas& canvas)
       choice(chooseBackend(wish, wish == Backend::Raster ? GlProbe{} : probeGl())),
       corner(controller, &canvas), top(controller, Qt::Horizontal, &canvas),
       left(controller, Qt::Vertical, &canvas), panes(session.variant()),
-      readout(controller, &canvas), text(controller, &canvas), capsule(controller, &canvas)
+      readout(controller, &canvas), text(controller, &canvas), ofWindow(controller, &canvas),
+      ofObjects(controller, &canvas)
 {
 }
 
@@ -40,10 +41,12 @@ Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
     connect(&controller, &Controller::stepsChanged, this, &Canvas::stepsChanged);
     connect(&controller, &Controller::hintChanged, this,
             [this] { emit hint(parts_->controller.hint()); });
-    const Capsule& capsule = parts_->capsule;
-    connect(&capsule, &Capsule::menuWanted, this, &Canvas::windowMenuWanted);
-    connect(&capsule, &Capsule::refused, this, &Canvas::refused);
-    connect(&capsule, &Capsule::taken, this, &Canvas::taken);
+    connect(&parts_->ofWindow, &Capsule::menuWanted, this, &Canvas::windowMenuWanted);
+    connect(&parts_->ofObjects, &Capsule::menuWanted, this, &Canvas::objectMenuWanted);
+    for (const Capsule* capsule : parts_->capsules) {
+        connect(capsule, &Capsule::refused, this, &Canvas::refused);
+        connect(capsule, &Capsule::taken, this, &Canvas::taken);
+    }
     connect(&session, &app::Session::displayChanged, this, &Canvas::followChoice);
     connect(&session, &app::Session::loaded, this, &Canvas::layOut);
     layOut();
@@ -90,12 +93,14 @@ void Canvas::switchSnapping(bool on)
     emit snappingChanged();
 }
 bool Canvas::actsOnWindow() const { return parts_->controller.actsOnWindow(); }
-bool Canvas::showsCapsule() const { return parts_->capsule.isOn(); }
+bool Canvas::showsCapsule() const { return parts_->ofWindow.isOn(); }
 void Canvas::switchCapsule(bool on)
 {
-    parts_->capsule.switchOn(on);
+    for (Capsule* capsule : parts_->capsules)
+        capsule->switchOn(on);
     emit capsuleSwitched();
 }
+void Canvas::setStrokeControls(QWidget& stroke) { parts_->ofObjects.setStroke(stroke); }
 std::optional<QPoint> Canvas::onDrawing(const QPoint& position) const
 {
     for (const auto& pane : parts_->widgets) {

@@ -70,6 +70,8 @@ public:
     bool actsOnWindow() const; ///< whether keys are for the chosen clip window
     bool showsCapsule() const; ///< whether the chosen clip window has its controls beside it
     void switchCapsule(bool on);
+    /// The first controls in the capsule of selected objects, which a room above makes. Once.
+    void setStrokeControls(QWidget& stroke);
     /// Moves, rotates, scales or skews the selection by the pointer and by typed numbers.
     void transform(const app::Transformation& kind);
 
@@ -116,8 +118,9 @@ signals:
     /// The menu of the chosen clip window is wanted, its upper right corner at a point of the
     /// screen.
     void windowMenuWanted(const QPoint& corner);
-    void refused(const QString& sentence); ///< a length typed there is not one
-    void taken();                          ///< it is valid again
+    void objectMenuWanted(const QPoint& corner); ///< that of the selected objects
+    void refused(const QString& sentence);       ///< a length typed there is not one
+    void taken();                                ///< it is valid again
     void panesChanged(); ///< the panes' number, variants or active pane have changed
 
 protected:

@@ -155,14 +155,17 @@ void Canvas::layOut()
     parts.controller.navigation().resize(
         {std::max(1, drawing.width()), std::max(1, drawing.height())});
     constexpr int narrow = 640;
-    parts.capsule.setSurface(&drawing, alone && drawing.width() >= narrow ? Capsule::Form::Whole
-                                                                          : Capsule::Form::Compact);
+    const auto form =
+        alone && drawing.width() >= narrow ? Capsule::Form::Whole : Capsule::Form::Compact;
+    for (Capsule* capsule : parts.capsules)
+        capsule->setSurface(&drawing, form);
     update();
 }
 
 void Canvas::settle()
 {
-    parts_->capsule.settle();
+    for (Capsule* capsule : parts_->capsules)
+        capsule->settle();
     for (const auto& widget : parts_->widgets)
         if (!widget->isHidden())
             widget->settle();

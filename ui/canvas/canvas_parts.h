@@ -3,12 +3,13 @@
 
 #include "ui/canvas/backend.h"
 #include "ui/canvas/canvas.h"
-#include "ui/canvas/capsule.h"
 #include "ui/canvas/controller.h"
+#include "ui/canvas/object_capsule.h"
 #include "ui/canvas/pane_widget.h"
 #include "ui/canvas/readout_box.h"
 #include "ui/canvas/ruler.h"
 #include "ui/canvas/text_box.h"
+#include "ui/canvas/window_capsule.h"
 
 namespace ui {
 
@@ -31,7 +32,9 @@ struct Canvas::Parts {
     std::vector<std::unique_ptr<PaneWidget>> widgets;
     ReadoutBox readout;
     TextBox text;
-    Capsule capsule;
+    WindowCapsule ofWindow;
+    ObjectCapsule ofObjects;
+    const std::array<Capsule*, 2> capsules{&ofWindow, &ofObjects};
     bool layingOut = false;
 };
 

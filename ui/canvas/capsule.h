@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/session/window_values.h"
+#include "app/view/capsule_place.h"
 #include "ui/canvas/controller.h"
 
 #include <QFrame>
-#include <QLabel>
 #include <QToolButton>
 
-class QActionGroup;
+#include <vector>
 
 namespace ui {
 
 class LengthField;
-class Segments;
-class UnitButton;
 
-/// The chosen clip window's own controls, beside it on the canvas: what it does with those above
-/// it, its size, the side that is kept, and its menu. It is shown while keys are for the window
-/// (Controller::actsOnWindow), and hidden during gestures. It stays where it is while it has the
-/// keyboard or the pointer.
+/// The own controls of what is chosen, beside it on the canvas. It is hidden during gestures, stays
+/// where it is while it has the keyboard or the pointer, and lets clicks through when it has just
+/// appeared. Derived classes say what it is for, and what it holds.
 class Capsule : public QFrame {
     Q_OBJECT
 
@@ -40,6 +36,27 @@ signals:
     void taken();                          ///< the length is valid again
 
 protected:
+    /// Whether keys are for what it is for.
+    virtual bool isFor() const = 0;
+    /// Notes what is chosen now; true: it is something else than before. What is typed is only ever
+    /// for what was shown.
+    virtual bool followSubject() = 0;
+    virtual void showValues() = 0;
+    virtual app::WindowFrame frame() const = 0; ///< in the drawing, of what it is for
+    virtual app::CapsuleRoom room() const = 0;  ///< without `canvas` and `released`
+    virtual QColor ringColour() const = 0;
+    virtual void setForm(Form form) = 0;
+
+    Controller& controller() const { return controller_; }
+    QWidget* surface() const { return surface_; }
+    void addPart(QWidget& part, int place = -1); ///< -1: last
+    QWidget* addRule(int place = -1);            ///< between two groups of parts
+    void addMore(const QString& tip);            ///< the button of the menu
+    LengthField* makeField(const QString& name, const QString& objectName, bool angle = false);
+    void adopt(LengthField& field); ///< Enter and Esc in it give the keyboard back
+    void follow();
+    void leave(); ///< takes what is typed, and gives the keyboard back
+
     bool eventFilter(QObject* watched, QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
@@ -48,40 +65,26 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    QToolButton* makeOperations();
-    LengthField* makeField(app::WindowValue which);
-    void setOperation(int operation);
+    void followSession();
     void enter();  ///< its first field gets the keyboard
-    void leave();  ///< takes what is typed, and gives the keyboard back
     void forget(); ///< discards what is typed, and gives the keyboard back
-    void set(app::WindowValue which, double length, app::Merging merging);
     bool isWanted() const;
     bool hasKeyboard() const;
     bool holds() const; ///< it has the keyboard or the pointer
-    void follow();
     void hideWhileMoving();
-    void showValues();
+    void withdraw();
     void place();
     void beDeaf();
 
     Controller& controller_;
     QWidget* surface_ = nullptr;
     bool on_ = true;
-    Segments *operation_, *keep_;
-    QActionGroup* operationChoice_; ///< of the menu of operations_
-    QToolButton *operations_, *more_;
-    LengthField *width_, *height_;
-    UnitButton* unit_;
-    QTimer still_; ///< runs while the view changes
-    QTimer deaf_;  ///< runs while clicks go through it
-    struct Shown {
-        std::optional<std::size_t> number{};
-        QString name{};
-        friend bool operator==(const Shown&, const Shown&) = default;
-    };
-    Shown shown_;                       ///< the window whose values it shows
-    std::optional<QPointF> released_{}; ///< where the pointer was when the window was let go
+    std::vector<LengthField*> fields_;
+    QTimer still_;                      ///< runs while the view changes
+    QTimer deaf_;                       ///< runs while clicks go through it
+    std::optional<QPointF> released_{}; ///< where the pointer was when the thing was let go
     std::optional<app::WindowFrame> placedAt_{};
+    QRectF place_; ///< on the surface; empty: hidden
 };
 
 } // namespace ui

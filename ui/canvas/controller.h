@@ -75,7 +75,7 @@ public:
     /// The box that shows the numbers, in logical pixels; empty: hidden.
     const QRectF& readoutPlace() const { return readoutPlace_; }
     void setReadoutPlace(const QRectF& place) { readoutPlace_ = place; }
-    /// The chosen window's controls (capsule.h), in logical pixels; empty: hidden.
+    /// The controls of what is chosen (capsule.h), in logical pixels; empty: hidden.
     const QRectF& capsulePlace() const { return capsulePlace_; }
     void setCapsulePlace(const QRectF& place);
     /// Whether keys and the capsule are for the chosen clip window: with the tool Clip window, or
@@ -187,6 +187,7 @@ private:
     bool keyPress(QKeyEvent& event);
     bool keyRelease(QKeyEvent& event);
     bool windowKey(const QKeyEvent& event);
+    bool capsuleKey(const QKeyEvent& event);
     bool navigationKey(const QKeyEvent& event);
     bool toolKey(const QKeyEvent& event);
     bool transformKey(const QKeyEvent& event);

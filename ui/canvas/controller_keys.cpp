@@ -62,7 +62,8 @@ bool Controller::keyPress(QKeyEvent& event)
     if (used)
         steer(); // the key may have changed what is measured
     return used || (event.key() == Qt::Key_Escape && escape()) || arrow(event)
-           || navigationKey(event) || toolKey(event) || transformKey(event) || windowKey(event);
+           || navigationKey(event) || toolKey(event) || transformKey(event) || windowKey(event)
+           || capsuleKey(event);
 }
 
 bool Controller::keyRelease(QKeyEvent& event)
@@ -137,7 +138,13 @@ bool Controller::windowKey(const QKeyEvent& event)
         keepOtherSide(session_);
         return true;
     }
-    if (capsulePlace_.isEmpty() || !isOneOf(event.key(), {Qt::Key_Return, Qt::Key_Enter}))
+    return false;
+}
+
+bool Controller::capsuleKey(const QKeyEvent& event)
+{
+    const bool isEnter = isOneOf(event.key(), {Qt::Key_Return, Qt::Key_Enter});
+    if (!isEnter || !has(event, Qt::NoModifier) || gestureGoes() || capsulePlace_.isEmpty())
         return false;
     emit capsuleWanted();
     return true;

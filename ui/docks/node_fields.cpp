@@ -5,7 +5,6 @@
 #include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/look_label.h"
-#include "ui/widgets/segments.h"
 #include "ui/widgets/unit_box.h"
 
 #include <QGridLayout>
@@ -16,16 +15,10 @@ namespace ui {
 namespace {
 
 constexpr int rowGap = 4, leastNumberWidth = 56;
-constexpr int typeRow = 3;
-constexpr std::array<std::string_view, 3> typeSteps{"corner-nodes", "smooth-nodes",
-                                                    "symmetric-nodes"}; // as app::NodeType
 
 } // namespace
 
-NodeFields::NodeFields(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session),
-      type_(new Segments(Text::tr("Type of node"),
-                         {Text::tr("Corner"), Text::tr("Smooth"), Text::tr("Symmetric")}))
+NodeFields::NodeFields(app::Session& session, QWidget* parent) : QWidget(parent), session_(session)
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
@@ -43,17 +36,10 @@ NodeFields::NodeFields(app::Session& session, QWidget* parent)
         grid->addWidget(label, row, column);
         grid->addWidget(fields_.back(), row, column + 1);
     }
-    auto* types = new QHBoxLayout;
-    types->setSpacing(space::labelToField);
-    types->addWidget(quietLabel(Text::tr("Type")));
-    types->addWidget(type_);
-    types->addStretch();
-    grid->addLayout(types, typeRow, 0, 1, 6);
     grid->addWidget(new UnitButton(session), 0, 5);
     grid->setColumnStretch(2, 1);
     grid->setColumnStretch(4, 1);
-    grid->setRowStretch(typeRow + 1, 1);
-    connect(type_, &Segments::picked, this, &NodeFields::setType);
+    grid->setRowStretch(int(rows.size()), 1);
 }
 
 LengthField* NodeFields::makeField(const app::NodeNumber& number)
@@ -91,22 +77,6 @@ void NodeFields::follow()
         if (!value)
             fields_[i]->showNothing();
     }
-    followType();
-}
-
-void NodeFields::followType()
-{
-    const auto type = app::typeOfNodes(session_);
-    type ? type_->choose(int(*type)) : type_->chooseNone();
-    const QString why = session_.nodes.refusal(app::nodeStep(typeSteps.front()));
-    type_->setEnabled(why.isEmpty());
-    type_->setToolTip(why);
-}
-
-void NodeFields::setType(int type)
-{
-    session_.nodes.run(app::nodeStep(typeSteps[std::size_t(type)]));
-    follow();
 }
 
 } // namespace ui

@@ -10,9 +10,8 @@
 namespace ui {
 
 class LengthField;
-class Segments;
 
-/// The selected nodes in numbers: place, handles and type. Each edit is one undo step. Where nodes
+/// The selected nodes in numbers: place and handles. Each edit is one undo step. Where nodes
 /// differ, a field says "mixed", and what is typed is for all of them.
 class NodeFields : public QWidget {
     Q_OBJECT
@@ -29,12 +28,9 @@ signals:
 
 private:
     LengthField* makeField(const app::NodeNumber& number);
-    void followType();
-    void setType(int type);
 
     app::Session& session_;
     std::vector<LengthField*> fields_; ///< in the order of app::nodeNumbers()
-    Segments* type_;
 };
 
 } // namespace ui

@@ -306,7 +306,9 @@ void LookStyle::drawComplexControl(ComplexControl control, const QStyleOptionCom
         drawChevron(*painter, up, mark, -1);
         drawChevron(*painter, down, mark, 1);
     } else if (control == CC_ComboBox) {
-        drawField(*painter, *option, option->rect);
+        const auto* list = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+        if (!list || list->frame || has(*option, State_HasFocus) || has(*option, State_MouseOver))
+            drawField(*painter, *option, option->rect);
         drawChevron(*painter, subControlRect(CC_ComboBox, option, SC_ComboBoxArrow, widget), mark,
                     1);
     } else if (const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);

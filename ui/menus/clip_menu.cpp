@@ -234,11 +234,7 @@ std::vector<ActionInfo> cutRows()
             .icon = "tiles",
             .run = toggleTiles,
             .refusal = whyNoTiles,
-            .made =
-                [](MainWindow& w, QAction& action) {
-                    w.optionBar().setTiles(action);
-                    w.windowPanel().setTiles(action);
-                },
+            .made = [](MainWindow& w, QAction& action) { w.windowPanel().setTiles(action); },
         },
     };
 }

@@ -146,6 +146,12 @@ QMenu* contextMenu(MainWindow& window, std::span<const std::string_view> keys)
     return menu;
 }
 
+/// With its upper right corner there.
+static void showLeftOf(QMenu* menu, const QPoint& corner)
+{
+    showAt(menu, corner - QPoint(menu->sizeHint().width(), 0));
+}
+
 QMenu* windowMenu(MainWindow& window) { return contextMenu(window, onWindow); }
 
 void addContextMenus(MainWindow& window)
@@ -163,9 +169,10 @@ void addContextMenus(MainWindow& window)
                                                     : std::span<const std::string_view>(onNothing);
                          showAt(contextMenu(window, keys), canvas.mapToGlobal(at));
                      });
-    QObject::connect(&canvas, &Canvas::windowMenuWanted, &window, [&window](QPoint corner) {
-        QMenu* menu = windowMenu(window);
-        showAt(menu, corner - QPoint(menu->sizeHint().width(), 0));
+    QObject::connect(&canvas, &Canvas::windowMenuWanted, &window,
+                     [&window](QPoint corner) { showLeftOf(windowMenu(window), corner); });
+    QObject::connect(&canvas, &Canvas::objectMenuWanted, &window, [&window](QPoint corner) {
+        showLeftOf(contextMenu(window, onObject), corner);
     });
     QObject::connect(&window.windowPanel(), &WindowPanel::menuWanted, &window,
                      [&window](const QPoint& place) { showAt(windowMenu(window), place); });

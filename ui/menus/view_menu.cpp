@@ -126,7 +126,7 @@ void addPanels(MainWindow& window, QMenu& menu)
 {
     menu.addActions(window.panelToggles());
     menu.addSeparator();
-    QAction* capsule = menu.addAction(Text::tr("Cap&sule at the clip window"));
+    QAction* capsule = menu.addAction(Text::tr("Cap&sule at what is chosen"));
     capsule->setObjectName(QStringLiteral("capsule-shown"));
     capsule->setCheckable(true);
     capsule->setChecked(window.canvas().showsCapsule());
@@ -150,6 +150,9 @@ ActionInfo removedRow(std::string_view key, const QString& text)
     };
 }
 
+/// Also a button while the tool Hand or Zoom is in hand.
+void addToBar(MainWindow& window, QAction& action) { window.optionBar().addViewStep(action); }
+
 // NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 std::vector<ActionInfo> zoomRows()
 {
@@ -172,6 +175,7 @@ std::vector<ActionInfo> zoomRows()
             .text = Text::tr("Ac&tual size"),
             .keys = {K("Ctrl+0")},
             .run = [](MainWindow& w) { w.canvas().setZoom(1); },
+            .made = addToBar,
         },
         {},
         {
@@ -180,6 +184,7 @@ std::vector<ActionInfo> zoomRows()
             .keys = {K("Shift+1")},
             .scope = ShortcutScope::Canvas,
             .run = fitAll<&Canvas::fitDrawing>,
+            .made = addToBar,
         },
         {
             .key = "fit-selection",
@@ -188,6 +193,7 @@ std::vector<ActionInfo> zoomRows()
             .scope = ShortcutScope::Canvas,
             .run = [](MainWindow& w) { w.canvas().fitSelection(); },
             .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
+            .made = addToBar,
         },
         {
             .key = "fit-window",
@@ -204,6 +210,7 @@ std::vector<ActionInfo> zoomRows()
             .keys = {K("Shift+4")},
             .scope = ShortcutScope::Canvas,
             .run = fitAll<&Canvas::fitPage>,
+            .made = addToBar,
         },
         {},
         {

@@ -10,9 +10,8 @@
 
 namespace ui {
 
-StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget& below)
-    : Popup(Text::tr("Style"), &below), canvas_(canvas), below_(below),
-      panel_(new StylePanel(session, canvas))
+StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget* parent)
+    : Popup(Text::tr("Style"), parent), canvas_(canvas), panel_(new StylePanel(session, canvas))
 {
     setObjectName(QStringLiteral("style-popup"));
     auto* title = new QLabel;
@@ -29,10 +28,10 @@ StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget& below)
     connect(panel_, &StylePanel::eyedropperStarted, this, &QWidget::close);
 }
 
-void StylePopup::open()
+void StylePopup::open(QWidget& below)
 {
     panel_->follow(); // so that it opens in its size
-    openBelow(below_);
+    openBelow(below);
     panel_->focusFirst();
 }
 

@@ -11,10 +11,10 @@ class StylePopup : public Popup {
     Q_OBJECT
 
 public:
-    StylePopup(app::Session& session, Canvas& canvas, QWidget& below);
+    StylePopup(app::Session& session, Canvas& canvas, QWidget* parent);
 
     StylePanel& panel() { return *panel_; }
-    void open();
+    void open(QWidget& below);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -22,7 +22,6 @@ protected:
 
 private:
     Canvas& canvas_;
-    QWidget& below_;
     StylePanel* panel_;
 };
 

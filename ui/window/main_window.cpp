@@ -10,6 +10,7 @@
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
 #include "ui/microscope/microscope_page.h"
+#include "ui/style/stroke_row.h"
 #include "ui/tiles/tiles_page.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/message_strip.h"
@@ -91,6 +92,7 @@ void MainWindow::addBars()
     addToolBar(Qt::TopToolBarArea, optionBar_);
     connect(optionBar_, &OptionBar::refused, strip_, &MessageStrip::refuse);
     connect(optionBar_, &OptionBar::taken, strip_, &MessageStrip::withdrawRefusal);
+    canvas_->setStrokeControls(*new StrokeRow(session_, *canvas_, StrokeRow::Frame::Plain));
     toolBar_ = new ToolBar(session_, *canvas_);
     addToolBar(Qt::LeftToolBarArea, toolBar_);
     menuBar()->setCornerWidget(new WorkspaceTabs(*panelLayout_));
@@ -101,7 +103,6 @@ void MainWindow::followWorkspace()
 {
     session_.worksInDraw = workspace().folds;
     centre_->allowNote(!workspace().folds); // it is about cutting
-    optionBar_->offerTiles(workspace().tiles);
     optionBar_->offerPanes(workspace().panes);
     status_->showHint({});
     refreshActions();

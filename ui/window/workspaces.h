@@ -18,8 +18,7 @@ struct Workspace {
     QStringList column; ///< keys of its panels, from top to bottom
     QString wide = {};  ///< the comparison panel that it opens; empty: none
     bool folds = false; ///< the panel Algorithm is only a title
-    bool tiles = false; ///< the bar across the top offers the tiles
-    bool panes = false; ///< and how many panes there are
+    bool panes = false; ///< the bar across the top offers how many panes there are
 };
 
 /// In the order of the tabs.

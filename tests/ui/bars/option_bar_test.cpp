@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/option_bar.h"
+#include "ui/tools/tool.h"
 #include "ui/widgets/segments.h"
 
 #include "tests/test_class.h"
@@ -44,6 +45,53 @@ private slots:
         QTRY_VERIFY(!bar.shows("Keep") && !bar.shows("Removed part"));
         bar.t.open(QStringLiteral(SOURCE_DIR "/resources/samples/nine-regions.svg"));
         QTRY_VERIFY(bar.shows("Keep") && bar.shows("Removed part"));
+    }
+    void theBarNamesTheToolAndHasItsOptions()
+    {
+        Bar bar;
+        const auto shows = [&](const char* name) {
+            const auto* part = bar.t.window->optionBar().findChild<QWidget*>(name);
+            return part && part->isVisible();
+        };
+        const auto buttonsOf = [&](const char* command) {
+            int shown = 0;
+            for (const auto* button : bar.t.window->optionBar().findChildren<QToolButton*>())
+                shown += button->isVisible() && button->defaultAction() == bar.t.action(command);
+            return shown;
+        };
+        auto* tool = bar.t.window->optionBar().findChild<QToolButton*>("tool-in-hand");
+        for (const ToolInfo& info : tools()) {
+            bar.t.window->canvas().setTool(info.key);
+            QCOMPARE(tool->text(), info.name);
+            const bool isView = info.key == "hand" || info.key == "zoom";
+            const bool draws = !isView && info.key != "nodes" && info.key != "window";
+            QTRY_COMPARE(shows("style"), draws); // the stroke
+            QTRY_COMPARE(shows("window-shapes"), info.key == "window");
+            QTRY_COMPARE(buttonsOf("fit-page"), int(isView));
+        }
+    }
+    // Where is what, does not depend on the tool.
+    void theRightGroupNeverMoves()
+    {
+        Bar bar;
+        bar.t.window->resize(1280, 800);
+        bar.t.run("window-on-page");
+        const auto places = [&] {
+            std::vector<int> x;
+            for (const char* name : {"snap-choice", "export-button"})
+                x.push_back(bar.t.window->optionBar().findChild<QWidget*>(name)->x());
+            return x;
+        };
+        const auto before = places();
+        for (const ToolInfo& info : tools()) {
+            bar.t.window->canvas().setTool(info.key);
+            QCoreApplication::processEvents();
+            QCOMPARE(places(), before);
+        }
+        bar.t.window->canvas().setTool("select");
+        bar.t.run("select-all");
+        QCoreApplication::processEvents();
+        QCOMPARE(places(), before);
     }
     void panesAreOfferedToCompareOrToCloseThem()
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The controls beside the chosen clip window.
 #include "app/commands/set_page_parts.h"
-#include "ui/canvas/capsule.h"
+#include "ui/canvas/window_capsule.h"
 #include "ui/widgets/length_field.h"
 
 #include <QLineEdit>
@@ -11,7 +11,7 @@
 #include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
 
-namespace canvas_capsule_test {
+namespace canvas_window_capsule_test {
 
 namespace {
 
@@ -23,7 +23,7 @@ struct CapsuleStage : Stage {
         canvas->setTool("window");
         canvas->settle();
     }
-    ui::Capsule& capsule() { return *canvas->findChild<ui::Capsule*>(); }
+    ui::WindowCapsule& capsule() { return *canvas->findChild<ui::WindowCapsule*>(); }
     template <class Part>
     Part& part(const char* name)
     {
@@ -42,7 +42,7 @@ struct CapsuleStage : Stage {
 
 } // namespace
 
-class CapsuleTest : public QObject {
+class WindowCapsuleTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -316,7 +316,7 @@ private slots:
     }
 };
 
-} // namespace canvas_capsule_test
+} // namespace canvas_window_capsule_test
 
-TEST_CLASS(canvas_capsule_test::CapsuleTest, Widgets)
-#include "tests/ui/canvas/capsule_test.moc"
+TEST_CLASS(canvas_window_capsule_test::WindowCapsuleTest, Widgets)
+#include "tests/ui/canvas/window_capsule_test.moc"

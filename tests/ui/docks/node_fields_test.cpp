@@ -35,13 +35,6 @@ class NodeFieldsTest : public QObject {
                     return field;
             return nullptr;
         }
-        QAbstractButton* button(const QString& name) const
-        {
-            for (auto* button : panel().findChildren<QAbstractButton*>())
-                if (button->accessibleName() == name)
-                    return button;
-            return nullptr;
-        }
         double value(const QString& name) const { return field(name)->value(); }
         void type(const QString& name, const QString& text) const
         {
@@ -69,7 +62,6 @@ private slots:
         QCOMPARE(t.value("Node X"), 80.0);
         QCOMPARE(t.value("Node Y"), 50.0);
         QVERIFY(near(t.value("Length of handle In"), std::hypot(20, 30)));
-        QVERIFY(t.button("Type of node: Symmetric")->isChecked());
         Hand::key(Qt::Key_Escape);
         Panel::settle();
         QVERIFY(t.field("Width")->isVisible());
@@ -99,19 +91,6 @@ private slots:
         for (int i = 0; i < 4; ++i)
             Hand::key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(t.path() == wave());
-    }
-    void theTypeIsChosen()
-    {
-        Panel t;
-        t.click({80, 50});
-        Panel::settle();
-        QTest::mouseClick(t.button("Type of node: Corner"), Qt::LeftButton);
-        Panel::settle();
-        QCOMPARE(t.session.nodes.path()[0].nodes[1].type, app::NodeType::Corner);
-        QVERIFY(t.button("Type of node: Corner")->isChecked());
-        t.click({140, 50}); // an end has no type to choose
-        Panel::settle();
-        QVERIFY(!t.button("Type of node: Smooth")->isEnabled());
     }
     void differentNodesAreMixedAndGetTheSameNumber()
     {

@@ -4,6 +4,7 @@
 #include "app/document/styles_in_use.h"
 #include "app/experiment/study.h"
 #include "app/judge/verdict.h"
+#include "ui/bars/arrange_row.h"
 #include "ui/bars/option_bar.h"
 #include "ui/bars/status_bar.h"
 #include "ui/bars/tool_bar.h"
@@ -34,6 +35,7 @@
 #include "ui/lessons/lesson_panel.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/microscope/microscope_page.h"
+#include "ui/style/stroke_row.h"
 #include "ui/style/style_panel.h"
 #include "ui/style/style_popup.h"
 #include "ui/tiles/tiles_page.h"
@@ -164,6 +166,12 @@ inline std::vector<Maker> makers()
         {"options",
          {1280, 40},
          [](Desk& desk) { return new OptionBar(desk.session, desk.canvas); }},
+        {"arranging", {640, 40}, onSession<ArrangeRow>},
+        {"stroke",
+         {300, 40},
+         [](Desk& desk) {
+             return new StrokeRow(desk.session, desk.canvas, StrokeRow::Frame::Plain);
+         }},
         {"tools", {44, 640}, [](Desk& desk) { return new ToolBar(desk.session, desk.canvas); }},
         {"status",
          {1280, 26},
@@ -248,8 +256,8 @@ inline std::vector<Maker> makers()
         // Popups
         {"style popup",
          {300, 280},
-         [](Desk& desk) { return new StylePopup(desk.session, desk.canvas, desk.canvas); },
-         [](QWidget& widget, Desk&) { static_cast<StylePopup&>(widget).open(); }},
+         [](Desk& desk) { return new StylePopup(desk.session, desk.canvas, &desk.canvas); },
+         [](QWidget& widget, Desk& desk) { static_cast<StylePopup&>(widget).open(desk.canvas); }},
         {"colour popup",
          {300, 280},
          [](Desk& desk) { return new ColourPopup(&desk.canvas); },

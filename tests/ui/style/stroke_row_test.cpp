@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stroke in the bar across the top, and in the capsule of selected objects.
+#include "ui/bars/option_bar.h"
+#include "ui/style/stroke_row.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/tool_list.h"
+
+#include "tests/test_class.h"
+#include "tests/ui/test_window.h"
+
+namespace style_stroke_row_test {
+
+using namespace ui;
+
+class StrokeRowTest : public QObject {
+    Q_OBJECT
+
+    struct Rows : TestWindow {
+        Rows()
+        {
+            open(file("two.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' "
+                                 "height='100mm' viewBox='0 0 100 100' stroke='black'>"
+                                 "<path stroke-width='2' d='M20 30L60 30L60 50'/>"
+                                 "<path stroke-width='3' d='M10 80L30 80'/></svg>"));
+            show();
+        }
+        app::Session& session() { return window->session(); }
+        StrokeRow& bar() { return *window->optionBar().findChild<StrokeRow*>(); }
+        StrokeRow& capsule() { return *window->canvas().findChild<StrokeRow*>(); }
+        double width(std::size_t i) { return session().now().objects()[i].style().width; }
+    };
+
+private slots:
+    void theStrokeOfSelectedObjectsIsInTheirCapsule()
+    {
+        Rows rows;
+        QVERIFY(rows.bar().isVisible() && !rows.capsule().isVisible());
+        rows.session().select({0});
+        QTRY_VERIFY(!rows.bar().isVisible() && rows.capsule().isVisible());
+        rows.window->canvas().switchCapsule(false);
+        QTRY_VERIFY(rows.bar().isVisible() && !rows.capsule().isVisible());
+    }
+    void bothShowTheSame()
+    {
+        Rows rows;
+        for (const app::ObjectRanges& selection :
+             {app::ObjectRanges({0}), app::ObjectRanges({0, 1}), app::ObjectRanges()}) {
+            rows.session().select(selection);
+            QCOMPARE(rows.bar().width().text(), rows.capsule().width().text());
+            QCOMPARE(rows.bar().colour().text(), rows.capsule().colour().text());
+        }
+        rows.session().select({0, 1});
+        QVERIFY(rows.capsule().width().text().isEmpty()); // mixed
+    }
+    void aTypedWidthIsForTheObjectsThatWereShown()
+    {
+        Rows rows;
+        rows.session().select({0});
+        LengthField& width = rows.capsule().width();
+        QTRY_VERIFY(width.isVisible());
+        width.setFocus();
+        width.selectAll();
+        QTest::keyClicks(&width, "5");
+        QTest::keyClick(&width, Qt::Key_Return);
+        QCOMPARE(rows.width(0), 5.0);
+        QCOMPARE(rows.window->focusWidget(), rows.drawingArea());
+        width.setFocus();
+        width.selectAll();
+        QTest::keyClicks(&width, "7");
+        rows.session().select({1}); // while the field is open
+        QCOMPARE(rows.width(0), 5.0);
+        QCOMPARE(rows.width(1), 3.0);
+        QCOMPARE(rows.window->focusWidget(), rows.drawingArea());
+    }
+};
+
+} // namespace style_stroke_row_test
+
+TEST_CLASS(style_stroke_row_test::StrokeRowTest, Widgets)
+#include "tests/ui/style/stroke_row_test.moc"

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/window_capsule.h"
+
+#include "app/session/window_operations.h"
+#include "app/session/window_steps.h"
+#include "app/session/window_words.h"
+#include "ui/canvas/window_overlay.h"
+#include "ui/canvas/window_tags.h"
+#include "ui/editing/keeping.h"
+#include "ui/look/text.h"
+#include "ui/widgets/buttons.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/look_label.h"
+#include "ui/widgets/segments.h"
+#include "ui/widgets/unit_box.h"
+
+#include <QActionGroup>
+#include <QMenu>
+
+namespace ui {
+namespace {
+
+QString tipOf(const app::WindowOperationInfo& operation)
+{
+    return Text::tr("%1 (%2)").arg(operation.tip, operation.letter);
+}
+
+Segments* operationSegments()
+{
+    QStringList names, tips;
+    std::vector<std::string_view> icons;
+    for (const app::WindowOperationInfo& each : app::windowOperations()) {
+        names << each.name;
+        tips << tipOf(each);
+        icons.push_back(each.icon);
+    }
+    auto* segments = new Segments(Text::tr("What the window does"), names);
+    segments->setIcons(icons);
+    segments->setTips(tips);
+    segments->setObjectName(QStringLiteral("capsule-operation"));
+    return segments;
+}
+
+} // namespace
+
+WindowCapsule::WindowCapsule(Controller& controller, QWidget* parent)
+    : Capsule(controller, parent), operation_(operationSegments()),
+      keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
+      operationChoice_(new QActionGroup(this)), operations_(makeOperations()),
+      width_(makeSide(app::WindowValue::Width)), height_(makeSide(app::WindowValue::Height)),
+      unit_(new UnitButton(controller.session()))
+{
+    setObjectName(QStringLiteral("capsule"));
+    keep_->setObjectName(QStringLiteral("capsule-keep"));
+    keep_->setTips({Text::tr("Keep what lies inside all windows together (X: the other side)"),
+                    Text::tr("Keep what lies outside all windows together (X: the other side)")});
+    for (QWidget* part :
+         {static_cast<QWidget*>(operation_), static_cast<QWidget*>(operations_),
+          static_cast<QWidget*>(width_), static_cast<QWidget*>(quietLabel(QStringLiteral("×"))),
+          static_cast<QWidget*>(height_), static_cast<QWidget*>(unit_),
+          static_cast<QWidget*>(keep_)})
+        addPart(*part);
+    addMore(Text::tr("More commands for the clip window"));
+    connect(operation_, &Segments::picked, this, &WindowCapsule::setOperation);
+    connect(keep_, &Segments::picked, this, [this](int side) {
+        leave();
+        setKeep(this->controller().session(), app::Keep(side));
+    });
+}
+
+QToolButton* WindowCapsule::makeOperations()
+{
+    auto* button = iconButton("window-add", Text::tr("What the window does"));
+    button->setObjectName(QStringLiteral("capsule-operations"));
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    auto* menu = new QMenu(button);
+    for (const app::WindowOperationInfo& each : app::windowOperations()) {
+        QAction* action = menu->addAction(icon(each.icon), tipOf(each));
+        action->setCheckable(true);
+        action->setData(int(operationChoice_->actions().size()));
+        operationChoice_->addAction(action);
+    }
+    connect(operationChoice_, &QActionGroup::triggered, this,
+            [this](QAction* action) { setOperation(action->data().toInt()); });
+    button->setMenu(menu);
+    return button;
+}
+
+LengthField* WindowCapsule::makeSide(app::WindowValue which)
+{
+    const bool isWidth = which == app::WindowValue::Width;
+    auto* field = isWidth ? makeField(Text::tr("Width"), QStringLiteral("capsule-width"))
+                          : makeField(Text::tr("Height"), QStringLiteral("capsule-height"));
+    field->setAlignment(isWidth ? Qt::AlignRight : Qt::AlignLeft);
+    field->setToolTip(isWidth ? Text::tr("Width of the clip window (Enter)")
+                              : Text::tr("Height of the clip window"));
+    connect(field, &LengthField::edited, this,
+            [this, which](double length, app::Merging merging) { set(which, length, merging); });
+    return field;
+}
+
+void WindowCapsule::setForm(Form form)
+{
+    operation_->setVisible(form == Form::Whole);
+    keep_->setVisible(form == Form::Whole);
+    unit_->setVisible(form == Form::Whole);
+    operations_->setVisible(form == Form::Compact);
+}
+
+void WindowCapsule::setOperation(int operation)
+{
+    leave();
+    app::Session& session = controller().session();
+    if (const auto number = session.windowNumber())
+        app::setWindowOperation(session, *number, app::WindowOperation(operation));
+}
+
+/// Of the window that was shown when it was typed.
+void WindowCapsule::set(app::WindowValue which, double length, app::Merging merging)
+{
+    if (controller().session().windowNumber() == shown_.number)
+        app::setWindowValue(controller().session(), which, length, false, merging);
+}
+
+bool WindowCapsule::isFor() const
+{
+    return controller().session().windowFrame() && controller().actsOnWindow();
+}
+
+bool WindowCapsule::followSubject()
+{
+    const app::Session& session = controller().session();
+    const auto number = session.windowNumber();
+    const Shown now{number, number ? app::nameOf(session.windows().list[*number]) : QString()};
+    return std::exchange(shown_, now) != now;
+}
+
+void WindowCapsule::showValues()
+{
+    const app::Session& session = controller().session();
+    const app::ClipWindow& window = session.windows().list[*session.windowNumber()];
+    setAccessibleName(Text::tr("%1, clip window").arg(app::nameOf(window)));
+    operation_->choose(int(window.operation));
+    QAction* chosen = operationChoice_->actions().at(int(window.operation));
+    chosen->setChecked(true);
+    operations_->setIcon(chosen->icon());
+    keep_->choose(int(session.windows().keep));
+    for (const auto& [field, which] :
+         {std::pair(width_, app::WindowValue::Width), std::pair(height_, app::WindowValue::Height)})
+        if (!field->isBeingTyped())
+            field->show(app::windowValue(session, which), session.display().unit,
+                        session.now().page().millimetresPerUnit());
+}
+
+app::WindowFrame WindowCapsule::frame() const { return *controller().session().windowFrame(); }
+
+app::CapsuleRoom WindowCapsule::room() const
+{
+    return {.box = windowBox(controller()),
+            .covered = windowMarks(controller(), surface()->font())};
+}
+
+QColor WindowCapsule::ringColour() const
+{
+    const app::Session& session = controller().session();
+    const auto number = session.windowNumber();
+    return number ? colourOf(session.windows().list[*number], controller()) : QColor();
+}
+
+} // namespace ui
+
+#include "moc_window_capsule.cpp"

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/stroke_row.h"
+
+#include "app/drawing/dash_patterns.h"
+#include "ui/look/look.h"
+#include "ui/look/text.h"
+#include "ui/widgets/elements.h"
+#include "ui/widgets/icon_sign.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/tool_list.h"
+
+#include <QHBoxLayout>
+
+namespace ui {
+
+StrokeRow::StrokeRow(app::Session& session, Canvas& canvas, Frame frame, QWidget* parent)
+    : QWidget(parent), session_(session), canvas_(canvas),
+      colour_(new ColourChoice(session, canvas, &app::Style::stroke)),
+      width_(new LengthField(Text::tr("Stroke width"), LengthField::Range::NotNegative,
+                             LengthField::Suffix::Unit)),
+      dashes_(new ToolList)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(space::labelToField);
+    row->addWidget(colour_);
+    addWidth(frame);
+    addDashes(frame);
+    connect(&session, &app::Session::selectionChanged, this, &StrokeRow::follow);
+    connect(&session, &app::Session::displayChanged, this, &StrokeRow::follow);
+    connect(&session, &app::Session::loaded, this, &StrokeRow::follow, Qt::QueuedConnection);
+    connect(&session.document, &app::EditedDocument::changed, this, &StrokeRow::follow,
+            Qt::QueuedConnection); // the selection may not be updated yet
+    follow();
+}
+
+void StrokeRow::addWidth(Frame frame)
+{
+    width_->setToolTip(Text::tr("Stroke width"));
+    const bool isPlain = frame == Frame::Plain;
+    if (isPlain) {
+        width_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        width_->setFrame(false);
+    }
+    new RoomForText(*width_, QStringLiteral("00.000 mm"), isPlain ? 10 : 28);
+    layout()->addWidget(width_);
+    connect(width_, &LengthField::entered, this, [this] { canvas_.setFocus(); });
+    connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
+        app::restyle(
+            session_, [width](app::Style& style) { app::setWidth(style, width); },
+            Text::tr("Stroke width"), merging);
+        follow();
+    });
+}
+
+void StrokeRow::addDashes(Frame frame)
+{
+    dashes_->setToolTip(Text::tr("Dashes"));
+    dashes_->setAccessibleName(Text::tr("Dashes"));
+    dashes_->setIconSize({36, 12});
+    dashes_->setFixedSize(72, space::fieldHeight);
+    dashes_->setFrame(frame == Frame::Fields);
+    for (const app::DashPattern& pattern : app::dashPatterns()) {
+        dashes_->addItem(dashIcon(pattern), QString());
+        dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::AccessibleTextRole);
+    }
+    layout()->addWidget(dashes_);
+    connect(dashes_, &ToolList::done, this, [this] { canvas_.setFocus(); });
+    connect(dashes_, &QComboBox::activated, this, [this](int index) {
+        const auto& pattern = app::dashPatterns()[std::size_t(index)];
+        app::restyle(
+            session_, [&](app::Style& style) { style.dashes = app::scaled(pattern, style.width); },
+            Text::tr("Dashes"), app::Merging::WithLast);
+        follow();
+    });
+}
+
+void StrokeRow::follow()
+{
+    const std::vector<app::Style> styles = app::shownStyles(session_);
+    const app::Unit unit = session_.display().unit;
+    const double size = session_.now().page().millimetresPerUnit();
+    if (app::common(styles, &app::Style::width))
+        width_->show(styles.front().width, unit, size);
+    else
+        width_->showMixed(styles.front().width, unit, size);
+    const auto pattern = app::common(styles, app::patternOf).value_or(std::nullopt);
+    dashes_->setCurrentIndex(pattern ? int(*pattern) : -1);
+}
+
+} // namespace ui
+
+#include "moc_stroke_row.cpp"

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/style/colour_choice.h"
+
+#include <QWidget>
+
+namespace ui {
+
+class LengthField;
+class ToolList;
+
+/// The colour, the width and the dashes of strokes: of the selected objects, else of what is drawn
+/// next.
+class StrokeRow : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Frame : std::uint8_t { Fields, Plain }; ///< Plain: text until it is used
+
+    StrokeRow(app::Session& session, Canvas& canvas, Frame frame, QWidget* parent = nullptr);
+
+    LengthField& width() { return *width_; }
+    ColourChoice& colour() { return *colour_; }
+    QLayout& beside() { return *layout(); } ///< where more of the stroke is added
+
+private:
+    void addWidth(Frame frame);
+    void addDashes(Frame frame);
+    void follow();
+
+    app::Session& session_;
+    Canvas& canvas_;
+    ColourChoice* colour_;
+    LengthField* width_;
+    ToolList* dashes_;
+};
+
+} // namespace ui
