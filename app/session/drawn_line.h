@@ -16,7 +16,7 @@ class DrawnLine : public QObject {
 public:
     explicit DrawnLine(Session& session, QObject* parent = nullptr);
 
-    /// Opens the microscope at the inspected line, otherwise the first line that the window cuts,
+    /// Opens the microscope at the inspected line, otherwise the longest line that the window cuts,
     /// otherwise any line; for an empty drawing, at a built-in example.
     void look();
     /// Opens it at this line, with the variant that explains it (app/session/inspection.h).
