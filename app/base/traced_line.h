@@ -36,6 +36,7 @@ struct TracedLine {
     /// The corners of a window that is a convex polygon, as in clipping::ConvexPolygon; `window` is
     /// its bounding box then. Empty: the window is the rectangle.
     std::vector<glm::dvec2> corners{};
+    QString unit{}; ///< of its numbers: "mm"; empty: they have none
     friend bool operator==(const TracedLine&, const TracedLine&) = default;
 };
 

@@ -157,7 +157,9 @@ void DrawnLine::followDrawing()
     TracedLine tracedLine = session_.microscope.tracedLine();
     tracedWindow(session_).putInto(tracedLine);
     if (const auto line = drawn()) {
-        tracedLine.origin = tracedLineOf(session_, *line_).origin;
+        const TracedLine drawnOne = tracedLineOf(session_, *line_);
+        tracedLine.origin = drawnOne.origin;
+        tracedLine.unit = drawnOne.unit;
         if (!own_)
             tracedLine.line = *line;
     } else {

@@ -6,6 +6,8 @@
 #include "app/base/text.h"
 #include "app/session/line_to_see.h"
 
+#include <cmath>
+
 namespace app {
 
 namespace {
@@ -15,6 +17,15 @@ clipping::Segment across(const clipping::Window& window)
 {
     const Point size = window.max - window.min;
     return {window.min - 0.3 * size, window.max + Point(-0.15, 0.4) * size};
+}
+
+/// The unit in which a drawing's own numbers are: "mm"; empty: none of its size.
+QString unitOfNumbers(const Page& page)
+{
+    for (const UnitInfo& row : units())
+        if (row.millimetres > 0 && std::abs(page.millimetresPerUnit() / row.millimetres - 1) < 1e-9)
+            return QString::fromUtf8(row.suffix.data(), qsizetype(row.suffix.size()));
+    return {};
 }
 
 /// Says after some time that the interface must not wait longer. A million lines take 2 ms if some
@@ -38,7 +49,8 @@ TracedLine tracedLineOf(const Session& session, std::size_t segment)
     TracedLine traced{.variant = session.variant(),
                       .line = window.into(lines[segment]),
                       .y = YAxis::Down,
-                      .origin = remark.isEmpty() ? line : Text::tr("%1, %2").arg(line, remark)};
+                      .origin = remark.isEmpty() ? line : Text::tr("%1, %2").arg(line, remark),
+                      .unit = unitOfNumbers(session.now().page())};
     window.putInto(traced);
     return traced;
 }
@@ -62,7 +74,8 @@ TracedLine firstTracedLine(const Session& session)
     TracedLine traced{.variant = session.variant(),
                       .line = across(window.frame.box),
                       .y = YAxis::Down,
-                      .origin = Text::tr("Example line")};
+                      .origin = Text::tr("Example line"),
+                      .unit = unitOfNumbers(session.now().page())};
     window.putInto(traced);
     return traced;
 }

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/figure.h"
 
-#include "app/overlays/half_plane.h"
-#include "app/overlays/label_places.h"
-#include "app/overlays/polygon_edges.h"
 #include "app/teaching/figure_labels.h"
+#include "app/teaching/paint_window.h"
+#include "app/teaching/scale_bar.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <array>
 
 namespace app {
 
 namespace {
-
-using clipping::Edge;
 
 /// The data for painting every part of a figure.
 struct Picture {
@@ -45,97 +41,6 @@ void strike(const Picture& s, const clipping::Segment& line, const QPen& with)
     if (const auto part = s.frame.part(line)) {
         s.painter.setPen(with);
         s.painter.drawLine(*part);
-    }
-}
-
-/// The part of the picture beyond an edge; empty if there is none.
-QRectF beyond(const Picture& s, Edge edge)
-{
-    const QRectF all = s.frame.picture();
-    const double level = clipping::levelOf(edge, s.tracedLine.window);
-    const QPointF place = s.frame.at({level, level});
-    const bool lower = edge == clipping::lowerEdge(clipping::axisOf(edge));
-    QRectF part = all;
-    if (clipping::axisOf(edge) == 0)
-        lower ? part.setRight(place.x()) : part.setLeft(place.x());
-    else if (lower == (s.frame.y == YAxis::Down))
-        part.setBottom(place.y());
-    else
-        part.setTop(place.y());
-    return part.isValid() ? part & all : QRectF();
-}
-
-/// Thin slanted lines; a brush's pattern would differ in size between a window and a file.
-void hatch(const Picture& s, const QRectF& area)
-{
-    if (area.isEmpty())
-        return;
-    QColor quiet = s.colours.rule;
-    quiet.setAlphaF(0.7F);
-    s.painter.setPen(pen(quiet, s.u));
-    for (const QLineF& line : hatching(area, 9 * s.u))
-        s.painter.drawLine(line);
-}
-
-/// Hatches what lies beyond the line of a side.
-void hatchBeyondSide(const Picture& s, std::size_t number)
-{
-    const auto [from, to] = polygonEdge(number, s.tracedLine.corners);
-    const Point along = to - from;
-    QPolygonF area;
-    for (const Point& p : common(s.frame.seen, std::array{HalfPlane{from, {along.y, -along.x}}}))
-        area << s.frame.at(p);
-    QPainterPath path;
-    path.addPolygon(area);
-    s.painter.save();
-    s.painter.setClipPath(path);
-    hatch(s, area.boundingRect());
-    s.painter.restore();
-}
-
-void paintPolygon(const Picture& s)
-{
-    for (std::size_t i = 1; i <= s.tracedLine.corners.size(); ++i)
-        strike(s, polygonEdge(i, s.tracedLine.corners),
-               pen(s.colours.window, 2 * s.u, Qt::RoundCap));
-}
-
-void paintWindow(const Picture& s)
-{
-    if (!s.tracedLine.corners.empty())
-        return paintPolygon(s);
-    QPen dashes = pen(s.colours.border, s.u);
-    dashes.setDashPattern({5, 4});
-    const auto& [min, max] = s.tracedLine.window;
-    for (const Edge edge : {Edge::Left, Edge::Right, Edge::Bottom, Edge::Top})
-        if (const auto line = edgeLine(edge, s.tracedLine, s.frame)) {
-            s.painter.setPen(dashes);
-            s.painter.drawLine(*line);
-        }
-    const QPen outline = pen(s.colours.window, 2 * s.u, Qt::SquareCap);
-    for (const clipping::Segment& side : {clipping::Segment{{min.x, min.y}, {max.x, min.y}},
-                                          {{max.x, min.y}, {max.x, max.y}},
-                                          {{max.x, max.y}, {min.x, max.y}},
-                                          {{min.x, max.y}, {min.x, min.y}}})
-        strike(s, side, outline);
-    if (min == max && s.frame.shows(min)) {
-        s.painter.setPen(Qt::NoPen);
-        s.painter.setBrush(s.colours.window);
-        s.painter.drawEllipse(s.frame.at(min), 3 * s.u, 3 * s.u);
-    }
-}
-
-void paintHighlightedEdge(const Picture& s)
-{
-    if (s.scene.polygonEdge)
-        if (const auto line =
-                polygonEdgeLine(s.scene.polygonEdge, s.tracedLine.corners, s.frame.seen))
-            strike(s, *line, pen(s.colours.highlight, 2.5 * s.u));
-    if (s.scene.edge == Edge::NoEdge || s.scene.edge > Edge::Top)
-        return;
-    if (const auto line = edgeLine(s.scene.edge, s.tracedLine, s.frame)) {
-        s.painter.setPen(pen(s.colours.highlight, 2.5 * s.u));
-        s.painter.drawLine(*line);
     }
 }
 
@@ -213,8 +118,8 @@ void paintMark(const Picture& s, const FigureMark& mark)
 
 QColor headColour(FigureLabel::Tone tone, const FigureColours& colours)
 {
-    const std::array row{colours.text, colours.onHighlight, colours.window, colours.muted,
-                         colours.highlight};
+    const std::array row{colours.text,  colours.onHighlight, colours.window,
+                         colours.muted, colours.window,      colours.highlight};
     return row[std::size_t(tone)];
 }
 
@@ -229,26 +134,46 @@ void paintLeader(const Picture& s, const FigureLabel& label)
     s.painter.drawLine(from, mark);
 }
 
-void paintLabel(const Picture& s, const FigureLabel& label)
+/// Paints a label's texts into an area at the origin.
+void paintTexts(const Picture& s, const FigureLabel& label, const QRectF& text)
 {
-    const bool highlight = label.tone == FigureLabel::Tone::Highlighted;
-    QColor ground = highlight ? s.colours.highlight : s.colours.paper;
-    if (!highlight)
-        ground.setAlphaF(0.82F);
-    s.painter.setPen(Qt::NoPen);
-    s.painter.setBrush(ground);
-    s.painter.drawRoundedRect(label.box, 2 * s.u, 2 * s.u);
-    const QRectF text = label.box.marginsRemoved(paddingOf(s.frame, label.tone));
     const QFont head = headFont(s.frame, label.tone), detail = detailFont(s.frame);
+    const QFontMetricsF heads(head), details(detail);
     s.painter.setFont(head);
     s.painter.setPen(headColour(label.tone, s.colours));
-    s.painter.drawText(text.topLeft() + QPointF(0, QFontMetricsF(head).ascent()), label.head);
+    s.painter.drawText(text.topLeft() + QPointF(0, heads.ascent()), label.head);
     if (label.detail.isEmpty())
         return;
     s.painter.setFont(detail);
-    s.painter.setPen(highlight ? s.colours.onHighlight : s.colours.muted);
-    const double down = QFontMetricsF(head).height() + QFontMetricsF(detail).ascent();
-    s.painter.drawText(text.topLeft() + QPointF(0, down), label.detail);
+    s.painter.setPen(label.tone == FigureLabel::Tone::Highlighted ? s.colours.onHighlight
+                                                                  : s.colours.muted);
+    const QPointF below(0, heads.height() + details.ascent()),
+        beside(heads.horizontalAdvance(label.head) + gapInRow(s.frame), heads.ascent());
+    s.painter.drawText(text.topLeft()
+                           + (label.layout == FigureLabel::Layout::Stacked ? below : beside),
+                       label.detail);
+}
+
+void paintLabel(const Picture& s, const FigureLabel& label)
+{
+    const bool highlight = label.tone == FigureLabel::Tone::Highlighted;
+    if (highlight || label.coversEdge) {
+        QColor ground = highlight ? s.colours.highlight : s.colours.paper;
+        if (!highlight)
+            ground.setAlphaF(0.82F);
+        s.painter.setPen(Qt::NoPen);
+        s.painter.setBrush(ground);
+        s.painter.drawRoundedRect(label.box, 2 * s.u, 2 * s.u);
+    }
+    QRectF area = label.box;
+    s.painter.save();
+    if (label.layout == FigureLabel::Layout::Column) {
+        s.painter.translate(label.box.bottomLeft());
+        s.painter.rotate(-90);
+        area = QRectF(QPointF(), label.box.size().transposed());
+    }
+    paintTexts(s, label, area.marginsRemoved(paddingOf(s.frame, label.tone)));
+    s.painter.restore();
 }
 
 } // namespace
@@ -262,12 +187,9 @@ void paintStep(QPainter& painter, const TraceStep& at, const FigureFrame& frame,
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(frame.picture(), colours.paper);
-    if (scene.edge != Edge::NoEdge && scene.edge <= Edge::Top)
-        hatch(picture, beyond(picture, scene.edge));
-    if (scene.polygonEdge)
-        hatchBeyondSide(picture, scene.polygonEdge);
-    paintWindow(picture);
-    paintHighlightedEdge(picture);
+    const WindowPainting window{painter, tracedLine, scene, frame, colours};
+    paintGround(window);
+    paintWindow(window);
     paintLine(picture);
     const auto labels = figureLabels(tracedLine, narration, scene, frame);
     for (const FigureLabel& label : labels)
@@ -276,6 +198,8 @@ void paintStep(QPainter& painter, const TraceStep& at, const FigureFrame& frame,
         paintMark(picture, mark);
     for (const FigureLabel& label : labels)
         paintLabel(picture, label);
+    if (const auto bar = scaleBarOf(tracedLine, frame))
+        paintScaleBar(painter, *bar, frame, colours);
     painter.restore();
 }
 

@@ -61,22 +61,6 @@ Span around(double middle, double half)
     return {std::max(middle - half, -most), std::min(middle + half, most)};
 }
 
-/// Whether part of an edge of the window itself may be in the picture, not only its infinite line.
-bool showsEdge(const FigureFrame& frame, const clipping::Window& window)
-{
-    const Point &min = frame.seen.min, &max = frame.seen.max;
-    const auto within = [&](double level, glm::length_t axis) {
-        return level > min[axis] && level < max[axis];
-    };
-    const auto overlaps = [&](glm::length_t axis) {
-        return window.min[axis] < max[axis] && window.max[axis] > min[axis];
-    };
-    const auto crossed = [&](glm::length_t axis) {
-        return within(window.min[axis], axis) || within(window.max[axis], axis);
-    };
-    return overlaps(0) && overlaps(1) && (crossed(0) || crossed(1));
-}
-
 } // namespace
 
 QPointF FigureFrame::at(const Point& point) const
@@ -125,23 +109,6 @@ FigureFrame figureFrame(const TracedLine& tracedLine, const QSizeF& size, const 
         .size = size, .seen = {{x.low, y.low}, {x.high, y.high}}, .y = tracedLine.y, .font = font};
 }
 
-FigureFrame nearFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font)
-{
-    constexpr double shortLine = 56, fillsWell = 0.4;
-    FigureFrame frame = figureFrame(tracedLine, size, font);
-    const auto& [a, b] = tracedLine.line;
-    const double length = QLineF(frame.at(a), frame.at(b)).length();
-    if (!(length > 0) || length > shortLine || !frame.shows(a) || !frame.shows(b))
-        return frame;
-    const double wanted = fillsWell * std::min(size.width(), size.height());
-    const Point middle = a / 2.0 + b / 2.0;
-    const Point half = (frame.seen.max / 2.0 - frame.seen.min / 2.0) * (length / wanted);
-    FigureFrame near = frame;
-    near.seen = {middle - half, middle + half};
-    const bool precise = half.x > 1e-12 * std::max(std::abs(middle.x), std::abs(middle.y));
-    return precise && showsEdge(near, tracedLine.window) ? near : frame;
-}
-
 FigureColours figureColours(Ground ground)
 {
     return ground == Ground::Light ? FigureColours{.paper = 0xFFFFFF,
@@ -152,7 +119,8 @@ FigureColours figureColours(Ground ground)
                                                    .window = 0xC2410C,
                                                    .highlight = 0x1D63C9,
                                                    .onHighlight = 0xFFFFFF,
-                                                   .tint = 0xDCE8FA}
+                                                   .tint = 0xDCE8FA,
+                                                   .beyond = 0xF3F4F6}
                                    : FigureColours{.paper = 0x1E2023,
                                                    .text = 0xE7E9EC,
                                                    .muted = 0xA6ACB6,
@@ -161,7 +129,8 @@ FigureColours figureColours(Ground ground)
                                                    .window = 0xFF8F52,
                                                    .highlight = 0x5B9BFF,
                                                    .onHighlight = 0x10131A,
-                                                   .tint = 0x2C3F60};
+                                                   .tint = 0x2C3F60,
+                                                   .beyond = 0x1A1B1E};
 }
 
 } // namespace app

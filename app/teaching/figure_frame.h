@@ -16,8 +16,9 @@ struct FigureFrame {
     QSizeF size;           ///< of the picture, in its own units: logical pixels
     clipping::Window seen; ///< the part of the drawing that fills it, in the picture's proportions
     YAxis y = YAxis::Up;
-    QFont font;        ///< with a pixel size; strokes, marks and distances scale with it
-    QRectF reserved{}; ///< labels do not cover this part of the picture
+    QFont font;            ///< with a pixel size; strokes, marks and distances scale with it
+    QRectF reserved{};     ///< labels do not cover this part of the picture
+    bool hasScale = false; ///< it has a scale bar
 
     QRectF picture() const { return {QPointF(), size}; }
     /// Converts a point of the drawing to the picture. Always finite: the result for a very distant
@@ -37,10 +38,6 @@ struct FigureFrame {
 /// longer than the window, only the part near the window is shown.
 FigureFrame figureFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font);
 
-/// The same, but a line that is tiny compared with its window fills a good part of the picture,
-/// with the edges that it crosses, unless nothing of the window would be visible then.
-FigureFrame nearFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font);
-
 /// The colours of a figure: the program's own colours, each with a single meaning.
 struct FigureColours {
     QColor paper;             ///< the background
@@ -48,7 +45,8 @@ struct FigureColours {
     QColor border;            ///< the infinite lines of the edges
     QColor window;            ///< only the clip window
     QColor highlight, onHighlight,
-        tint; ///< the subject of this step; text on it; its background in lists
+        tint;      ///< the subject of this step; text on it; its background in lists
+    QColor beyond; ///< the ground beyond the edge of this step
 };
 FigureColours figureColours(Ground ground);
 

@@ -2,16 +2,24 @@
 #pragma once
 
 #include "app/teaching/figure_marks.h"
+#include "app/teaching/label_places.h"
 
 namespace app {
 
 /// A label of a figure and its place.
 struct FigureLabel {
-    enum class Tone : std::uint8_t { Plain, Highlighted, Window, Edge, HighlightedEdge };
+    enum class Tone : std::uint8_t { Plain, Highlighted, Window, Edge, RimEdge, HighlightedEdge };
+    enum class Layout : std::uint8_t {
+        Stacked, ///< the detail below the head
+        Row,     ///< beside each other
+        Column,  ///< the same, read upwards
+    };
     Tone tone;
-    QString head, detail;            ///< detail: a second line; may be empty
-    QRectF box;                      ///< with its padding
+    QString head, detail{}; ///< the detail may be empty
+    Layout layout = Layout::Stacked;
+    QRectF box{};                    ///< with its padding
     std::optional<QPointF> leader{}; ///< the label's mark, if it is distant: a thin line joins them
+    bool coversEdge = false;         ///< it lies on an edge: the ground below its text is covered
 };
 
 /// The labels of a step: inside the picture, without overlap with each other, a mark or the line.
@@ -25,10 +33,12 @@ QFont detailFont(const FigureFrame& frame);
 /// The padding around the text of a label.
 QMarginsF paddingOf(const FigureFrame& frame, FigureLabel::Tone tone);
 
-/// The part of an edge's infinite line inside the picture; empty if it is not visible.
-std::optional<QLineF> edgeLine(clipping::Edge edge, const TracedLine& tracedLine,
-                               const FigureFrame& frame);
-/// The window in the picture; a line or a point if it has no size.
-QRectF windowBox(const TracedLine& tracedLine, const FigureFrame& frame);
+/// The size of a label's box, and the distance of its texts in a row.
+QSizeF sizeOf(const FigureLabel& label, const FigureFrame& frame);
+double gapInRow(const FigureFrame& frame);
+
+/// Puts a label at the best free place, if any, and makes the place an obstacle.
+bool placeLabel(std::vector<FigureLabel>& labels, FigureLabel label, std::span<const QRectF> places,
+                LabelObstacles& obstacles);
 
 } // namespace app

@@ -22,8 +22,7 @@ bool isFree(const QRectF& place, const LabelObstacles& obstacles)
     return obstacles.inside.contains(place)
            && std::ranges::none_of(obstacles.boxes,
                                    [&](const QRectF& box) { return box.intersects(place); })
-           && std::ranges::none_of(obstacles.lines,
-                                   [&](const QLineF& line) { return crosses(line, place); });
+           && !covers(place, obstacles.lines);
 }
 
 /// The penalty of a free place: what it covers, and its rank in the list.
@@ -35,6 +34,11 @@ double badness(const QRectF& place, std::size_t rank, const LabelObstacles& obst
 }
 
 } // namespace
+
+bool covers(const QRectF& box, std::span<const QLineF> lines)
+{
+    return std::ranges::any_of(lines, [&](const QLineF& line) { return crosses(line, box); });
+}
 
 std::optional<QRectF> freePlace(std::span<const QRectF> places, const LabelObstacles& obstacles)
 {

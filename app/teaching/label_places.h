@@ -20,6 +20,9 @@ struct LabelObstacles {
     std::vector<QLineF> avoided; ///< covered only if there is no other place
 };
 
+/// Whether a box lies on one of the lines.
+bool covers(const QRectF& box, std::span<const QLineF> lines);
+
 /// The best of the places, with a preference for the first ones; empty if all are taken.
 std::optional<QRectF> freePlace(std::span<const QRectF> places, const LabelObstacles& obstacles);
 

@@ -4,6 +4,7 @@
 #include "app/base/text.h"
 #include "app/teaching/figure.h"
 #include "app/teaching/figure_marks.h"
+#include "app/teaching/near_frame.h"
 #include "app/teaching/slide_panels.h"
 
 #include <QFontMetricsF>

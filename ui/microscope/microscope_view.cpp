@@ -2,6 +2,7 @@
 #include "ui/microscope/microscope_view.h"
 
 #include "app/teaching/figure.h"
+#include "app/teaching/near_frame.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"

@@ -110,6 +110,22 @@ private slots:
         QVERIFY(narrationOf(tracedLineOf(session, 0))
                     .refusal.startsWith("Liang-Barsky clips at rectangles only."));
     }
+    void numbersHaveTheUnitOfTheDrawing()
+    {
+        Session session;
+        session.load({shortLines(3), {}});
+        QCOMPARE(tracedLineOf(session, 0).unit, "px");
+        const auto unitAt = [&](const Length& width, const Length& height) {
+            Edit edit;
+            edit.page = Page{{0, 0}, {1280, 800}, width, height};
+            session.document.apply(edit);
+            return firstTracedLine(session).unit;
+        };
+        QCOMPARE(unitAt({1280, Unit::Mm}, {800, Unit::Mm}), "mm");
+        QCOMPARE(unitAt({128, Unit::Cm}, {80, Unit::Cm}), "mm");
+        QCOMPARE(unitAt({1280, Unit::Inch}, {800, Unit::Inch}), "in");
+        QCOMPARE(unitAt({300, Unit::Mm}, {187.5, Unit::Mm}), "");
+    }
     void headingsNameTheWindowInHand()
     {
         Session session;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/figure.h"
 #include "app/teaching/figure_labels.h"
+#include "app/teaching/near_frame.h"
 #include "app/teaching/page_figure.h"
 
 #include <QImage>
@@ -374,20 +375,6 @@ private slots:
         }
     }
 
-    void shortLinesAreEnlarged()
-    {
-        const TracedLine crossing = tracedLine("exact", {{99, 10}, {102, 12}});
-        const FigureFrame near = nearFrame(crossing, size, font());
-        const auto& [a, b] = crossing.line;
-        QVERIFY(QLineF(near.at(a), near.at(b)).length() > 0.3 * size.height());
-        QVERIFY(near.shows({100, 11}));
-        for (const clipping::Segment& line : // far from every edge; long; a point
-             {clipping::Segment{{10, 10}, {11, 11}}, {{-90, 0}, {90, 20}}, {{100, 3}, {100, 3}}}) {
-            const TracedLine s = tracedLine("exact", line);
-            QCOMPARE(nearFrame(s, size, font()).seen, figureFrame(s, size, font()).seen);
-        }
-    }
-
     void anyNumbersArePainted()
     {
         const double big = std::numeric_limits<double>::max(),
@@ -399,6 +386,8 @@ private slots:
             tracedLine("exact", {{-1e-200, 0}, {2e-200, 1e-200}}, {{0, 0}, {1e-200, 1e-200}}),
             tracedLine("exact", {{1e15, 1e15}, {1e15 + 3, 1e15 + 5}},
                        {{1e15, 1e15}, {1e15 + 2, 1e15 + 2}}),
+            tracedLine("exact", {{0, 0}, {1, 1}}, {{-big, -big}, {big, big}}),
+            tracedLine("exact", {{1e9, 1e9}, {1e9 + 1, 1e9 + 2}}, {{-1e300, 5}, {1e300, 1e300}}),
             tracedLine("exact", {{5, 5}, {5, 5}}, {{5, 5}, {5, 5}}),
             tracedLine("exact", {{0, 0}, {0, 0}}, {{0, 0}, {0, 0}}),
             tracedLine("exact", {{std::nan(""), 0}, {1, 1}}),
@@ -410,15 +399,17 @@ private slots:
                 const Narration narration = narrationOf(s);
                 QImage image(picture.toSize(), QImage::Format_RGB32);
                 QPainter painter(&image);
-                const FigureFrame frame = figureFrame(s, picture, font());
-                paintStep(painter, {s, narration, narration.steps.size()}, frame,
-                          figureColours(Ground::Light));
-                if (!narration.steps.empty())
-                    paintStep(painter, {s, narration, narration.steps.size() - 1}, frame,
-                              figureColours(Ground::Dark));
-                for (const Point& p : {s.line.a, s.line.b, s.window.min, s.window.max}) {
-                    const QPointF place = frame.at(p);
-                    QVERIFY2(std::isfinite(place.x()) && std::isfinite(place.y()), told(s, 0));
+                for (const FigureFrame& frame :
+                     {figureFrame(s, picture, font()), nearFrame(s, picture, font())}) {
+                    paintStep(painter, {s, narration, narration.steps.size()}, frame,
+                              figureColours(Ground::Light));
+                    if (!narration.steps.empty())
+                        paintStep(painter, {s, narration, narration.steps.size() - 1}, frame,
+                                  figureColours(Ground::Dark));
+                    for (const Point& p : {s.line.a, s.line.b, s.window.min, s.window.max}) {
+                        const QPointF place = frame.at(p);
+                        QVERIFY2(std::isfinite(place.x()) && std::isfinite(place.y()), told(s, 0));
+                    }
                 }
             }
     }

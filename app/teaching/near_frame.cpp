@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/near_frame.h"
+
+#include "app/base/finite.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr double mostOfWidth = 0.58, mostOfHeight = 0.60;
+/// A line whose box takes less than this of both sides is magnified.
+constexpr double small = 0.2;
+
+/// The size of a line's box in a picture, as shares of the picture's sides.
+QSizeF sharesOf(const clipping::Segment& line, const FigureFrame& frame)
+{
+    const QRectF box = QRectF(frame.at(line.a), frame.at(line.b)).normalized();
+    return {box.width() / frame.size.width(), box.height() / frame.size.height()};
+}
+
+} // namespace
+
+std::optional<clipping::Window> magnifying(const clipping::Segment& line, const QSizeF& picture)
+{
+    if (!isFinite(line.a) || !isFinite(line.b) || picture.isEmpty())
+        return std::nullopt;
+    // Halves, so that the largest numbers do not overflow.
+    const Point middle = line.a / 2.0 + line.b / 2.0, way = line.b / 2.0 - line.a / 2.0;
+    const Point size(picture.width(), picture.height());
+    const double perPixel = std::max(std::abs(way.x) / (mostOfWidth * size.x),
+                                     std::abs(way.y) / (mostOfHeight * size.y));
+    const Point half = perPixel * size;
+    const double least = std::max(1e-12 * std::max(std::abs(middle.x), std::abs(middle.y)), 1e-290);
+    if (!(std::min(half.x, half.y) > least))
+        return std::nullopt;
+    const clipping::Window seen{middle - half, middle + half};
+    return isFinite(seen.min) && isFinite(seen.max) ? std::optional(seen) : std::nullopt;
+}
+
+FigureFrame nearFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font)
+{
+    FigureFrame frame = figureFrame(tracedLine, size, font);
+    frame.hasScale = true;
+    const auto& line = tracedLine.line;
+    const QSizeF shares = sharesOf(line, frame);
+    const bool isTiny = frame.shows(line.a) && frame.shows(line.b) && shares.width() < small
+                        && shares.height() < small;
+    if (isTiny)
+        frame.seen = magnifying(line, size).value_or(frame.seen);
+    return frame;
+}
+
+} // namespace app
