@@ -3,6 +3,8 @@
 
 #include "app/base/finite.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,11 +16,12 @@ constexpr double mostOfWidth = 0.58, mostOfHeight = 0.60;
 /// A line whose box takes less than this of both sides is magnified.
 constexpr double small = 0.2;
 
-/// The size of a line's box in a picture, as shares of the picture's sides.
-QSizeF sharesOf(const clipping::Segment& line, const FigureFrame& frame)
+/// Whether a line is small in a picture, in sight or not.
+bool isTinyIn(const FigureFrame& frame, const clipping::Segment& line)
 {
-    const QRectF box = QRectF(frame.at(line.a), frame.at(line.b)).normalized();
-    return {box.width() / frame.size.width(), box.height() / frame.size.height()};
+    const Point way = glm::abs(line.b / 2.0 - line.a / 2.0);
+    const Point shown = frame.seen.max / 2.0 - frame.seen.min / 2.0;
+    return way.x < small * shown.x && way.y < small * shown.y;
 }
 
 } // namespace
@@ -44,12 +47,8 @@ FigureFrame nearFrame(const TracedLine& tracedLine, const QSizeF& size, const QF
 {
     FigureFrame frame = figureFrame(tracedLine, size, font);
     frame.hasScale = true;
-    const auto& line = tracedLine.line;
-    const QSizeF shares = sharesOf(line, frame);
-    const bool isTiny = frame.shows(line.a) && frame.shows(line.b) && shares.width() < small
-                        && shares.height() < small;
-    if (isTiny)
-        frame.seen = magnifying(line, size).value_or(frame.seen);
+    if (isTinyIn(frame, tracedLine.line))
+        frame.seen = magnifying(tracedLine.line, size).value_or(frame.seen);
     return frame;
 }
 

@@ -3,7 +3,7 @@
 
 #include "app/comparison/differences_at.h"
 #include "app/session/digits.h"
-#include "app/teaching/step_scene.h"
+#include "app/teaching/quiet_corner.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -21,8 +21,6 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 
 namespace ui {
@@ -31,7 +29,6 @@ namespace {
 
 constexpr int rightWidth = 428, narrowRight = 300, wide = 1200; // pixels
 constexpr QSize overviewSize(172, 130), smallOverview(116, 88);
-constexpr int corner = 12;
 
 QWidget* underHeading(Heading* heading, QWidget* body)
 {
@@ -223,8 +220,7 @@ void MicroscopePage::showPlace()
     placeOverview();
 }
 
-/// Places the widgets over the view in a corner, the first one if neither the line nor its ends are
-/// there.
+/// Places the widgets over the view in the corner where they hide least.
 void MicroscopePage::placeOverview()
 {
     const bool small = view_->width() < 560 || view_->height() < 360;
@@ -249,44 +245,22 @@ void MicroscopePage::placeOverview()
     }
     if (QRectF(all) != view_->frame().reserved)
         view_->reserve(all);
+    overview_->showStage(view_->frame().seen);
 }
 
-/// Keeps the current corner while it covers nothing in a gesture and in a view that was moved. A
-/// fitted view depends on nothing that was before.
+/// Keeps the current corner while the line is not there, in a gesture and in a view that was moved.
+/// A fitted view depends on nothing that was before.
 QRect MicroscopePage::cornerFor(const QSize& size)
 {
-    const QRect inside = view_->rect().adjusted(corner, corner, -corner, -corner);
-    const app::FigureFrame& frame = view_->frame();
-    const app::TracedLine& tracedLine = session_.microscope.tracedLine();
-    const auto rectIn = [&](Qt::Corner which) {
-        QRect place(inside.topLeft(), size);
-        if (which == Qt::TopRightCorner || which == Qt::BottomRightCorner)
-            place.moveRight(inside.right());
-        if (which == Qt::BottomLeftCorner || which == Qt::BottomRightCorner)
-            place.moveBottom(inside.bottom());
-        return place;
-    };
-    const auto covered = [&](Qt::Corner which) {
-        constexpr int mark = 20; // including a part of its label
-        const QRect place = rectIn(which).adjusted(-mark, -mark, mark, mark);
-        const clipping::Window below{frame.pointAt(place.topLeft()),
-                                     frame.pointAt(place.bottomRight())};
-        const clipping::Window area{glm::min(below.min, below.max), glm::max(below.min, below.max)};
-        const auto hides = [&](const clipping::Segment& line) {
-            return clipping::exactAlgorithm().corrected.clip(line, area).has_value();
-        };
-        const auto& [a, b] = tracedLine.line;
-        return 8 * (hides({a, a}) + hides({b, b})) + 4 * hides(tracedLine.line)
-               + int(std::ranges::count_if(app::edgesOf(tracedLine), hides));
-    };
-    if (view_->fitted() && !view_->drags())
-        corner_ = Qt::TopLeftCorner;
-    if (covered(corner_) >= 4)
-        for (const Qt::Corner other :
-             {Qt::TopLeftCorner, Qt::TopRightCorner, Qt::BottomLeftCorner, Qt::BottomRightCorner})
-            if (covered(other) < covered(corner_))
-                corner_ = other;
-    return rectIn(corner_);
+    const app::Microscope& microscope = session_.microscope;
+    const auto& traced = microscope.tracedLine();
+    const auto& frame = view_->frame();
+    app::CornerPlace place = app::placeIn(corner_, size, traced, microscope.narration(), frame);
+    const bool stays = !view_->fitted() || view_->drags();
+    if (!stays || place.covered >= app::hidesLine)
+        place = app::quietCorner(size, traced, microscope.narration(), frame);
+    corner_ = place.corner;
+    return {place.box.topLeft().toPoint(), size};
 }
 
 void MicroscopePage::setSide(QWidget* side)

@@ -10,8 +10,10 @@
 #include <QFontInfo>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QScopedValueRollback>
 
 #include <cmath>
+#include <utility>
 
 namespace ui {
 
@@ -30,11 +32,18 @@ MicroscopeView::MicroscopeView(app::Microscope& microscope, QWidget* parent)
     setAttribute(Qt::WA_OpaquePaintEvent);
     connect(&microscope, &app::Microscope::stepChanged, this, qOverload<>(&QWidget::update));
     connect(&microscope, &app::Microscope::tracedLineChanged, this, &MicroscopeView::follow);
+    connect(&microscope, &app::Microscope::openChanged, this, &MicroscopeView::fit);
 }
 
+/// A line that another part of the program puts under the microscope is fitted, also in a view that
+/// was zoomed; one that a hand changes here stays where it is.
 void MicroscopeView::follow()
 {
-    if (fitted_ && !drag_ && !chosen_)
+    const clipping::Segment& line = microscope_.tracedLine().line;
+    const bool isNew = line != std::exchange(line_, line) && !movesEnd_;
+    if (isNew && !drag_)
+        fit();
+    else if (fitted_ && !drag_ && !chosen_)
         refit();
     frame_.y = microscope_.tracedLine().y;
     update();
@@ -74,6 +83,7 @@ void MicroscopeView::moveEnd(LineEnd end, const app::Point& point)
 {
     app::TracedLine tracedLine = microscope_.tracedLine();
     tracedLine.line = withEnd(tracedLine.line, end, point);
+    const QScopedValueRollback moves(movesEnd_, true);
     if (tracedLine != microscope_.tracedLine())
         microscope_.setTracedLine(tracedLine);
 }

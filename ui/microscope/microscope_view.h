@@ -21,7 +21,6 @@ public:
     const app::FigureFrame& frame() const { return frame_; }
     /// Reserves an area that labels avoid.
     void reserve(const QRectF& place);
-    /// Whether the window is the page, because there is no clip window; changes its label.
     /// Fits window and line into the view.
     void fit();
     bool fitted() const { return fitted_; }
@@ -79,8 +78,10 @@ private:
     QRectF reserved_;
     std::optional<LineEnd> chosen_, hovered_;
     std::optional<Drag> drag_;
-    bool ring_ = false;  ///< the focus came by keyboard: paint the focus ring
-    bool fitted_ = true; ///< the person has neither zoomed nor panned
+    clipping::Segment line_{}; ///< as last seen
+    bool movesEnd_ = false;    ///< this view is changing the line
+    bool ring_ = false;        ///< the focus came by keyboard: paint the focus ring
+    bool fitted_ = true;       ///< the person has neither zoomed nor panned
 };
 
 } // namespace ui

@@ -8,8 +8,10 @@
 
 #include <QEvent>
 #include <QPainter>
+#include <QPolygonF>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui {
 
@@ -17,6 +19,8 @@ namespace {
 
 constexpr std::size_t mostLines = 20'000;
 constexpr double overviewMargin = 4, lineWidth = 0.5; // pixels
+// Of the frame around the stage: its least side, and the side from which on the line is seen in it.
+constexpr double leastStage = 8, leastWithLine = 20;
 // Maximum share of the picture that lines cover, so that it does not become a grey area.
 constexpr double mostCoverage = 0.7;
 
@@ -36,6 +40,13 @@ Overview::Overview(const app::Session& session, QWidget* parent)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAccessibleName(Text::tr("Overview of the drawing"));
+}
+
+void Overview::showStage(const clipping::Window& stage)
+{
+    if (stage == std::exchange(stage_, stage))
+        return;
+    update();
 }
 
 void Overview::forget()
@@ -96,6 +107,24 @@ QPixmap Overview::drawing(const app::View& view) const
     return picture;
 }
 
+/// The frame around the stage, large enough to be seen; its corners are kept within reach of a
+/// painter.
+QPolygonF Overview::stageOn(const app::View& view, const app::WindowFrame& frame) const
+{
+    const auto& [min, max] = stage_;
+    QPolygonF stage;
+    for (const app::Point& corner :
+         {min, app::Point(max.x, min.y), max, app::Point(min.x, max.y)}) {
+        const app::Point on = view.toScreen(outOfFrame(frame, corner));
+        stage << QPointF(std::clamp(on.x, -1e5, 1e5), std::clamp(on.y, -1e5, 1e5));
+    }
+    const QRectF box = stage.boundingRect();
+    if (std::max(box.width(), box.height()) >= leastStage)
+        return stage;
+    const QPointF half(leastStage / 2, leastStage / 2);
+    return QRectF(box.center() - half, box.center() + half);
+}
+
 /// The frame in whose directions the line is traced, on the drawing.
 app::WindowFrame Overview::frameOf(const app::TracedLine& tracedLine) const
 {
@@ -128,8 +157,14 @@ void Overview::paintEvent(QPaintEvent*)
     painter.drawPolygon(window);
     painter.setPen(QPen(look.selection, 2, Qt::SolidLine, Qt::RoundCap));
     const auto& [a, b] = tracedLine.line;
-    if (const auto line = onScreen({onPaper(a), onPaper(b)}, seen))
+    const QPolygonF stage = stageOn(seen, frame);
+    const QRectF box = stage.boundingRect();
+    if (const auto line = onScreen({onPaper(a), onPaper(b)}, seen);
+        line && std::max(box.width(), box.height()) > leastWithLine)
         painter.drawLine(*line);
+    painter.setPen(QPen(look.selection, 1.5, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolygon(stage);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(look.border);

@@ -309,6 +309,30 @@ private slots:
         QVERIFY(std::abs((s.view().frame().seen.max.x - s.view().frame().seen.min.x) / width - 1)
                 < 1e-9);
     }
+    void aNewLineAndOpeningFitTheView()
+    {
+        Stage s;
+        const auto zoom = [&] {
+            s.view().zoomBy(3);
+            QVERIFY(!s.view().fitted());
+        };
+        zoom();
+        s.key(Qt::Key_Right); // a step does not
+        QVERIFY(!s.view().fitted());
+        s.key(Qt::Key_F8); // the other line
+        QVERIFY(s.view().fitted());
+        zoom();
+        s.microscope().close();
+        s.microscope().open(s.microscope().tracedLine());
+        QVERIFY(s.view().fitted());
+        zoom();
+        app::TracedLine traced = s.microscope().tracedLine();
+        traced.variant.algorithm = clipping::findAlgorithm("lb");
+        s.microscope().setTracedLine(traced); // the same line
+        QVERIFY(!s.view().fitted());
+        QTest::mouseDClick(&s.view(), Qt::LeftButton, {}, {5, s.view().height() - 5});
+        QVERIFY(s.view().fitted());
+    }
     void aDragBesideTheLineTakesThePlaneWithIt()
     {
         Stage s;
