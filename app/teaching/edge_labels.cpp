@@ -74,6 +74,29 @@ FigureLabel labelOf(Edge edge, const EdgePlace& place, const TracedLine& tracedL
     return label;
 }
 
+/// Whether an edge's label is outside the window at first: above the line, or at its left.
+bool isBeforeLine(Edge edge, YAxis y)
+{
+    return edge == Edge::Left || edge == (y == YAxis::Up ? Edge::Top : Edge::Bottom);
+}
+
+/// Labels an edge at the rim, on no other edge: in a row along it or in two lines, beside the side
+/// itself or beside its infinite line, or with the value alone, whatever finds room first.
+bool labelRim(std::vector<FigureLabel>& labels, const FigureLabel& row, const QLineF& side,
+              const QLineF& line, bool before, LabelObstacles& obstacles, const FigureFrame& frame)
+{
+    FigureLabel stacked = row, value = row;
+    stacked.layout = FigureLabel::Layout::Stacked;
+    value.detail.clear();
+    const auto place = [&](const FigureLabel& label, const QLineF& beside) {
+        auto places = placesAlong(beside, sizeOf(label, frame), frame.unit(), before);
+        std::erase_if(places, [&](const QRectF& box) { return covers(box, obstacles.avoided); });
+        return placeLabel(labels, label, places, obstacles);
+    };
+    return place(row, side) || place(stacked, side) || place(row, line) || place(stacked, line)
+           || place(value, side);
+}
+
 void labelRectangle(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
                     const StepScene& scene, LabelObstacles& obstacles, const FigureFrame& frame)
 {
@@ -82,35 +105,26 @@ void labelRectangle(std::vector<FigureLabel>& labels, const TracedLine& tracedLi
         const auto line = edges.line(edge);
         if (!line)
             continue;
-        FigureLabel label = labelOf(edge, edges[edge], tracedLine, scene);
-        const bool before =
-            edge == Edge::Left || edge == (frame.y == YAxis::Up ? Edge::Top : Edge::Bottom);
-        const auto places = [&](const QLineF& along) {
-            return placesAlong(along, sizeOf(label, frame), frame.unit(), before);
-        };
-        const auto place = [&] {
-            const auto side = edges.side(edge);
-            return (edges[edge].at == EdgePlace::At::Rim && side
-                    && placeLabel(labels, label, places(*side), obstacles))
-                   || placeLabel(labels, label, places(*line), obstacles);
-        };
-        if (place() || label.detail.isEmpty())
+        const FigureLabel label = labelOf(edge, edges[edge], tracedLine, scene);
+        const bool before = isBeforeLine(edge, frame.y);
+        const auto side = edges.side(edge);
+        if (edges[edge].at == EdgePlace::At::Rim && side
+            && labelRim(labels, label, *side, *line, before, obstacles, frame))
             continue;
-        label.detail.clear(); // the value alone may find room
-        place();
+        placeLabel(labels, label, placesAlong(*line, sizeOf(label, frame), frame.unit(), before),
+                   obstacles);
     }
 }
 
-/// The window in the picture; a line or a point if it has no size. Of a magnified rectangle what is
-/// in sight.
-QRectF windowBox(const TracedLine& tracedLine, const FigureFrame& frame)
+/// The window in the picture; a line or a point if it has no size. If it is larger than the
+/// picture, its part in the room for labels.
+QRectF windowBox(const TracedLine& tracedLine, const QRectF& room, const FigureFrame& frame)
 {
-    if (!tracedLine.corners.empty())
-        return QRectF(frame.at(tracedLine.window.min), frame.at(tracedLine.window.max))
-            .normalized();
-    const FigureEdges places(tracedLine, frame);
-    const QRectF box = places.window();
-    return places.areToScale() ? box : box & frame.picture();
+    const QRectF box =
+        tracedLine.corners.empty()
+            ? FigureEdges(tracedLine, frame).window()
+            : QRectF(frame.at(tracedLine.window.min), frame.at(tracedLine.window.max)).normalized();
+    return frame.picture().contains(box) || !room.intersects(box) ? box : box & room;
 }
 
 /// The number of an edge, just outside its middle.
@@ -152,11 +166,12 @@ void labelPolygonEdges(std::vector<FigureLabel>& labels, const TracedLine& trace
 void labelWindow(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
                  LabelObstacles& obstacles, const FigureFrame& frame)
 {
-    const QRectF box = windowBox(tracedLine, frame);
+    const QRectF box = windowBox(tracedLine, obstacles.inside, frame);
     const double gap = 3 * frame.unit();
-    const FigureLabel label{.tone = EdgeTone::Window,
-                            .head = tracedLine.windowIsPage ? Text::tr("Page")
-                                                            : Text::tr("Clip window")};
+    FigureLabel label{.tone = EdgeTone::Window,
+                      .head = tracedLine.windowIsPage ? Text::tr("Page") : Text::tr("Clip window")};
+    if (!tracedLine.corners.empty() && obstacles.avoided.empty())
+        label.detail = Text::tr("no edge is in sight");
     const QSizeF size = sizeOf(label, frame);
     std::vector<QRectF> places;
     const double left = box.left() + gap, right = box.right() - gap - size.width();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/polygon_edges.h"
 #include "app/teaching/figure.h"
+#include "app/teaching/figure_labels.h"
+#include "app/teaching/near_frame.h"
 #include "app/teaching/step_scene.h"
 
 #include <QImage>
@@ -96,6 +98,25 @@ private slots:
         const auto at = [&](const Point& p) { return picture.pixelColor(frame.at(p).toPoint()); };
         QCOMPARE(at({-70, -75}).name(), colours.window.name()); // on edge 1
         QVERIFY(at({-95, 80}) != colours.window.name());        // a corner of the box
+    }
+    void aMagnifiedLineSaysThatNoEdgeIsInSight()
+    {
+        QFont font;
+        font.setPixelSize(13);
+        const auto windowLabel = [&](const clipping::Segment& line) {
+            const TracedLine traced{.variant = {&clipping::exactAlgorithm()},
+                                    .line = line,
+                                    .window = {{-100, -75}, {100, 90}},
+                                    .y = YAxis::Up,
+                                    .corners = {{-100, -75}, {100, -75}, {0, 90}}};
+            const Narration narration = narrationOf(traced);
+            const auto labels = figureLabels(traced, narration, stepScene(traced, narration, 0),
+                                             nearFrame(traced, {900, 500}, font));
+            return labels.back().head + u'|' + labels.back().detail;
+        };
+        QCOMPARE(windowLabel({{0, 0}, {2, 1}}), "Clip window|no edge is in sight");
+        QCOMPARE(windowLabel({{0, -76}, {2, -74}}), "Clip window|");
+        QCOMPARE(windowLabel({{-160, -30}, {70, 130}}), "Clip window|");
     }
 };
 
