@@ -14,8 +14,10 @@
 #include "ui/microscope/operations_view.h"
 #include "ui/microscope/overview.h"
 #include "ui/microscope/variable_table.h"
+#include "ui/microscope/variables_panel.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/heading.h"
+#include "ui/widgets/link_button.h"
 
 #include <QApplication>
 #include <QShortcut>
@@ -55,12 +57,12 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     : QWidget(parent), session_(session), drawn_(drawn),
       bar_(new MicroscopeBar(session.microscope, drawn)),
       view_(new MicroscopeView(session.microscope)), steps_(new StepsPanel(session.microscope)),
-      code_(new CodeView), variables_(new VariableTable), operations_(new OperationsView),
+      code_(new CodeView), variables_(new VariablesPanel), operations_(new OperationsView),
       overview_(new Overview(session, view_)), place_(new QLabel(view_)),
       back_(new QToolButton(view_)), fit_(new QToolButton(view_)),
-      variablesCover_(new AnswerCover(variables_)), operationsCover_(new AnswerCover(operations_)),
-      across_(splitter(Qt::Horizontal)), down_(splitter(Qt::Vertical)),
-      right_(splitter(Qt::Vertical))
+      variablesCover_(new AnswerCover(&variables_->table())),
+      operationsCover_(new AnswerCover(operations_)), across_(splitter(Qt::Horizontal)),
+      down_(splitter(Qt::Vertical)), right_(splitter(Qt::Vertical))
 {
     setAccessibleName(Text::tr("Clip microscope"));
     place_->setFont(captionFont(font()));
@@ -112,7 +114,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     connect(view_, &MicroscopeView::framed, this, &MicroscopePage::placeOverview);
     connect(back_, &QToolButton::clicked, &drawn, &app::DrawnLine::back);
     connect(fit_, &QToolButton::clicked, view_, &MicroscopeView::fit);
-    for (const QSplitter* parts : {across_, down_})
+    for (const QSplitter* parts : {across_, down_, right_})
         connect(parts, &QSplitter::splitterMoved, this, [this] { ownShares_ = true; });
     addKeys();
     showStep();
@@ -122,22 +124,17 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
 QWidget* MicroscopePage::makeRight()
 {
     auto* code = new Heading(Text::tr("Pseudo-code"));
-    auto* about = new QToolButton;
+    QToolButton* about = linkButton();
     about->setText(Text::tr("About this algorithm"));
     about->setAccessibleName(about->text());
-    about->setAutoRaise(true);
-    about->setFocusPolicy(Qt::TabFocus);
     about->setObjectName(QStringLiteral("about-algorithm-link"));
-    about->setStyleSheet(
-        QStringLiteral("QToolButton { color: palette(link); border: none; padding: 0 4px; }"
-                       "QToolButton:hover, QToolButton:focus { text-decoration: underline; }"));
     code->add(about);
     connect(about, &QToolButton::clicked, this,
             [this] { emit aboutWanted(session_.microscope.tracedLine().variant.algorithm); });
     right_->addWidget(underHeading(code, code_));
-    right_->addWidget(underHeading(new Heading(Text::tr("Variables")), variables_));
-    right_->setStretchFactor(0, 3);
-    right_->setStretchFactor(1, 2);
+    right_->addWidget(variables_);
+    right_->setStretchFactor(0, 1);
+    right_->setStretchFactor(1, 0);
     auto* all = new QWidget;
     all->setBackgroundRole(QPalette::AlternateBase);
     all->setAutoFillBackground(true);
@@ -197,7 +194,8 @@ void MicroscopePage::showStep()
     const app::NarratedStep* narrated = microscope.narrated();
     code_->show(narration.code);
     code_->light(narrated ? narrated->line : 0);
-    variables_->show(narrated ? narrated->variables : std::vector<app::Variable>{});
+    variables_->show(microscope.tracedLine(), narration,
+                     narrated ? microscope.step() : narration.steps.size());
     variablesCover_->setVisible(microscope.isCovered() && !narrated);
     operationsCover_->setVisible(microscope.isCovered());
     const bool counts = narrated && !microscope.isCovered();
@@ -263,6 +261,8 @@ QRect MicroscopePage::cornerFor(const QSize& size)
     return {place.box.topLeft().toPoint(), size};
 }
 
+VariableTable& MicroscopePage::variables() { return variables_->table(); }
+
 void MicroscopePage::setSide(QWidget* side)
 {
     if (side == side_)
@@ -289,6 +289,8 @@ void MicroscopePage::share()
     const int all = height() - bar_->height();
     const int steps = all < 620 ? steps_->minimumSizeHint().height() : steps_->sizeHint().height();
     down_->setSizes({std::max(180, all - steps), steps});
+    const int variables = variables_->sizeHint().height();
+    right_->setSizes({std::max(variables, right_->height() - variables), variables});
 }
 
 void MicroscopePage::resizeEvent(QResizeEvent* event)

@@ -14,6 +14,7 @@ class MicroscopeView;
 class OperationsView;
 class Overview;
 class VariableTable;
+class VariablesPanel;
 class AnswerCover;
 
 /// The clip microscope: the line enlarged, the steps below, pseudo-code, variables and operations
@@ -34,7 +35,7 @@ public:
     MicroscopeView& view() { return *view_; }
     StepsPanel& steps() { return *steps_; }
     CodeView& code() { return *code_; }
-    VariableTable& variables() { return *variables_; }
+    VariableTable& variables();
 
 signals:
     void closeWanted();
@@ -65,7 +66,7 @@ private:
     MicroscopeView* view_;
     StepsPanel* steps_;
     CodeView* code_;
-    VariableTable* variables_;
+    VariablesPanel* variables_;
     OperationsView* operations_;
     Overview* overview_;
     QLabel* place_;

@@ -14,6 +14,7 @@
 #include <QAccessible>
 #include <QApplication>
 #include <QDockWidget>
+#include <QToolButton>
 
 #include <utility>
 
@@ -308,6 +309,23 @@ private slots:
         s.view().fit();
         QVERIFY(std::abs((s.view().frame().seen.max.x - s.view().frame().seen.min.x) / width - 1)
                 < 1e-9);
+    }
+    void variablesOfTheStepOrAll()
+    {
+        Stage s;
+        s.microscope().goTo(6);
+        const QAbstractItemModel* rows = s.page().variables().model();
+        auto* link = s.page().findChild<QToolButton*>(QStringLiteral("all-variables-link"));
+        const auto all = s.microscope().narrated()->variables.size();
+        QCOMPARE(link->text(), QStringLiteral("All %1").arg(all));
+        QVERIFY(all > 6 && rows->rowCount() > 0 && rows->rowCount() <= 6);
+        link->click();
+        QCOMPARE(std::size_t(rows->rowCount()), all);
+        QCOMPARE(link->text(), "Only this step");
+        s.microscope().goTo(7); // stays
+        QCOMPARE(std::size_t(rows->rowCount()), s.microscope().narrated()->variables.size());
+        link->click();
+        QVERIFY(rows->rowCount() <= 6);
     }
     void aNewLineAndOpeningFitTheView()
     {
