@@ -5,7 +5,7 @@
 #include "app/teaching/figure_edges.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace app {
 
@@ -95,12 +95,9 @@ QRectF boxIn(Qt::Corner corner, const QSizeF& size, const Insets& insets, const 
     return box;
 }
 
-} // namespace
-
-CornerPlace placeIn(Qt::Corner corner, const QSizeF& box, const TracedLine& tracedLine,
-                    const Narration& narration, const FigureFrame& frame)
+CornerPlace placeAmong(const Marks& marks, Qt::Corner corner, const QSizeF& box,
+                       const TracedLine& tracedLine, const FigureFrame& frame)
 {
-    const Marks marks = marksOf(tracedLine, narration, frame);
     CornerPlace best{corner, {}, 0};
     for (const Insets& insets : {insideOfRim(tracedLine, frame), besideBorder(frame)}) {
         const QRectF place = boxIn(corner, box, insets, frame.size);
@@ -111,13 +108,22 @@ CornerPlace placeIn(Qt::Corner corner, const QSizeF& box, const TracedLine& trac
     return best;
 }
 
+} // namespace
+
+CornerPlace placeIn(Qt::Corner corner, const QSizeF& box, const TracedLine& tracedLine,
+                    const Narration& narration, const FigureFrame& frame)
+{
+    return placeAmong(marksOf(tracedLine, narration, frame), corner, box, tracedLine, frame);
+}
+
 CornerPlace quietCorner(const QSizeF& box, const TracedLine& tracedLine, const Narration& narration,
                         const FigureFrame& frame)
 {
-    std::array places{placeIn(Qt::TopLeftCorner, box, tracedLine, narration, frame),
-                      placeIn(Qt::TopRightCorner, box, tracedLine, narration, frame),
-                      placeIn(Qt::BottomRightCorner, box, tracedLine, narration, frame),
-                      placeIn(Qt::BottomLeftCorner, box, tracedLine, narration, frame)};
+    const Marks marks = marksOf(tracedLine, narration, frame);
+    std::vector<CornerPlace> places;
+    for (const Qt::Corner corner :
+         {Qt::TopLeftCorner, Qt::TopRightCorner, Qt::BottomRightCorner, Qt::BottomLeftCorner})
+        places.push_back(placeAmong(marks, corner, box, tracedLine, frame));
     return *std::ranges::min_element(places, {}, &CornerPlace::covered);
 }
 
