@@ -43,6 +43,15 @@ QWidget* underHeading(Heading* heading, QWidget* body)
     return both;
 }
 
+/// Gives a label the size of its text, in more lines if it is wider than that.
+void wrap(QLabel& label, int width)
+{
+    label.setWordWrap(false);
+    const QSize whole = label.sizeHint();
+    label.setWordWrap(whole.width() > width);
+    label.resize(label.wordWrap() ? QSize(width, label.heightForWidth(width)) : whole);
+}
+
 QSplitter* splitter(Qt::Orientation orientation)
 {
     auto* made = new QSplitter(orientation);
@@ -227,18 +236,22 @@ void MicroscopePage::placeOverview()
     int width = size.width(), height = size.height();
     for (QWidget* part : {static_cast<QWidget*>(place_), static_cast<QWidget*>(back_),
                           static_cast<QWidget*>(fit_)}) {
-        part->adjustSize();
+        part == place_ ? wrap(*place_, overviewSize.width()) : part->adjustSize();
         if (part->isHidden())
             continue;
         width = std::max(width, part->width());
         height += part->height() + 4;
     }
     const QRect all = cornerFor({width, height});
-    overview_->setGeometry(QRect(all.topLeft(), size));
+    const bool atRight = corner_ == Qt::TopRightCorner || corner_ == Qt::BottomRightCorner;
+    const auto left = [&](int partWidth) {
+        return atRight ? all.left() + all.width() - partWidth : all.left();
+    };
+    overview_->setGeometry(QRect({left(size.width()), all.top()}, size));
     int y = all.top() + size.height() + 4;
     for (QWidget* part : {static_cast<QWidget*>(place_), static_cast<QWidget*>(back_),
                           static_cast<QWidget*>(fit_)}) {
-        part->move(all.left(), y);
+        part->move(left(part->width()), y);
         y += part->isHidden() ? 0 : part->height() + 4;
     }
     if (QRectF(all) != view_->frame().reserved)
