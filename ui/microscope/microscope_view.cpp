@@ -36,11 +36,13 @@ MicroscopeView::MicroscopeView(app::Microscope& microscope, QWidget* parent)
 }
 
 /// A line that another part of the program puts under the microscope is fitted, also in a view that
-/// was zoomed; one that a hand changes here stays where it is.
+/// was zoomed; one that a hand changes here, or whose ends are exchanged, stays where it is.
 void MicroscopeView::follow()
 {
     const clipping::Segment& line = microscope_.tracedLine().line;
-    const bool isNew = line != std::exchange(line_, line) && !movesEnd_;
+    const clipping::Segment before = std::exchange(line_, line);
+    const bool isSame = before == line || before == clipping::Segment{line.b, line.a};
+    const bool isNew = !isSame && !movesEnd_;
     if (isNew && !drag_)
         fit();
     else if (fitted_ && !drag_ && !chosen_)

@@ -348,6 +348,9 @@ private slots:
         traced.variant.algorithm = clipping::findAlgorithm("lb");
         s.microscope().setTracedLine(traced); // the same line
         QVERIFY(!s.view().fitted());
+        std::swap(traced.line.a, traced.line.b);
+        s.microscope().setTracedLine(traced);
+        QVERIFY(!s.view().fitted());
         QTest::mouseDClick(&s.view(), Qt::LeftButton, {}, {5, s.view().height() - 5});
         QVERIFY(s.view().fitted());
     }
