@@ -114,6 +114,22 @@ void drawWindow(Session& session, const WindowShape& shape)
     setWindowPen(session, penAfter(session.windowPen));
 }
 
+bool chooseNeighbour(Session& session, int step)
+{
+    const auto& list = session.windows().list;
+    const auto chosen = session.windowNumber();
+    if (!chosen)
+        return false;
+    const std::size_t by = step > 0 ? 1 : list.size() - 1;
+    std::size_t next = (*chosen + by) % list.size();
+    while (next != *chosen && !list[next].visible)
+        next = (next + by) % list.size();
+    if (next == *chosen)
+        return false;
+    session.chooseWindow(next);
+    return true;
+}
+
 void moveWindow(Session& session, const Point& by, Merging merging)
 {
     if (const auto number = session.windowNumber())

@@ -30,6 +30,10 @@ WindowPen penAfter(WindowPen pen);
 /// Draws it, and chooses it; then the pen is `penAfter`. Refused if there is no room for it.
 void drawWindow(Session& session, const WindowShape& shape);
 
+/// Chooses the next visible window of the list (`step` 1), or the previous one (-1); after the last
+/// the first. False: there is no other one.
+bool chooseNeighbour(Session& session, int step);
+
 void moveWindow(Session& session, const Point& by, Merging merging = Merging::Never);
 
 /// Adds windows after the others, in one step, and chooses the last of them. If the drawing has not

@@ -138,7 +138,10 @@ bool Controller::windowKey(const QKeyEvent& event)
         keepOtherSide(session_);
         return true;
     }
-    return false;
+    // With this tool only: Esc leaves it, and Tab moves the focus again.
+    const bool goesOn = isOneOf(event.key(), {Qt::Key_Tab, Qt::Key_Backtab});
+    return goesOn && toolInfo_->key == "window"
+           && app::chooseNeighbour(session_, event.key() == Qt::Key_Tab ? 1 : -1);
 }
 
 bool Controller::capsuleKey(const QKeyEvent& event)

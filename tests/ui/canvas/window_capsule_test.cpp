@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The controls beside the chosen clip window.
 #include "app/commands/set_page_parts.h"
+#include "app/session/window_steps.h"
 #include "ui/canvas/window_capsule.h"
 #include "ui/widgets/length_field.h"
 
@@ -259,6 +260,24 @@ private slots:
         stage.canvas->setTool("line");
         QTest::keyClick(&stage.surface(), '+');
         QCOMPARE(stage.session.windows().list[1].operation, app::WindowOperation::CutOut);
+    }
+    void tabChoosesTheNextWindow()
+    {
+        CapsuleStage stage;
+        stage.drag({160, 20}, {190, 60});
+        stage.drag({10, 20}, {40, 60});
+        QCOMPARE(stage.session.windowNumber(), std::size_t(2));
+        app::changeWindow(stage.session, 1, {}, [](app::ClipWindow& w) { w.visible = false; });
+        stage.key(Qt::Key_Tab);
+        QCOMPARE(stage.session.windowNumber(), std::size_t(0));
+        stage.key(Qt::Key_Tab); // the hidden one is passed over
+        QCOMPARE(stage.session.windowNumber(), std::size_t(2));
+        stage.key(Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(stage.session.windowNumber(), std::size_t(0));
+        QVERIFY(stage.surface().hasFocus());
+        stage.key(Qt::Key_Escape); // to Select
+        stage.key(Qt::Key_Tab);
+        QCOMPARE(stage.session.windowNumber(), std::size_t(0));
     }
     // The second click of a double click may come where it has just appeared.
     void aClickThatCameTooSoonGoesThrough()
