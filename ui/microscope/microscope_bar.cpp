@@ -27,6 +27,7 @@ MicroscopeBar::MicroscopeBar(app::Microscope& microscope, app::DrawnLine& drawn,
     connect(&microscope, &app::Microscope::tracedLineChanged, this, &MicroscopeBar::follow);
     connect(&drawn, &app::DrawnLine::refreshed, this, &MicroscopeBar::follow);
     follow();
+    arrange(); // or its words would ask for more room than a narrow window has
 }
 
 QLabel* MicroscopeBar::addCaption(const QString& text)
