@@ -4,6 +4,8 @@
 #include "app/session/selection_numbers.h"
 #include "ui/canvas/capsule.h"
 
+#include <QLabel>
+
 namespace ui {
 
 class UnitButton;

@@ -15,7 +15,7 @@
 namespace ui {
 namespace {
 
-constexpr int leastFieldWidth = 56, leastAngleWidth = 44, betweenRows = 4; // pixels
+constexpr int leastFieldWidth = 56, leastAngleWidth = 43, betweenRows = 4; // pixels
 
 } // namespace
 
