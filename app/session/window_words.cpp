@@ -88,6 +88,11 @@ QString nameOf(const ClipWindow& window)
 
 std::string_view iconOf(const WindowShape& shape) { return looksOf(shape).icon; }
 
+std::string_view iconOf(const ObjectView& object)
+{
+    return object.singleLine() ? "line" : looksOf(object.particulars().recipe).icon;
+}
+
 QString resultOf(const ClipWindows& windows)
 {
     QString text;

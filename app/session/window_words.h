@@ -20,8 +20,9 @@ int numberForNew(const ClipWindows& others);
 QString nameAfter(const ClipWindow& before, const WindowShape& shape);
 /// The kind of an object and its id, if it has one: `Ellipse “sun”`, "Line".
 QString nameOf(const ObjectView& object);
-/// The key of the icon of a shape.
+/// The key of the icon of a shape, and of an object.
 std::string_view iconOf(const WindowShape& shape);
+std::string_view iconOf(const ObjectView& object);
 
 /// What the visible windows make together: "Old town − Market hall + Star"; "everything −
 /// Market hall" if the first one does not add. Empty without a visible window.

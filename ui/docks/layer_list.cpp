@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/layer_list.h"
 
+#include "app/session/rearrange_selection.h"
+#include "ui/docks/layer_painter.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 
@@ -21,16 +23,14 @@ LayerList::LayerList(app::Session& session, LayerModel* model)
     setFrameShape(QFrame::NoFrame);
     setMouseTracking(true);
     setEditTriggers(DoubleClicked);
+    setUniformItemSizes(true);
     viewport()->setAutoFillBackground(false);
     for (const auto changed : {&QAbstractItemModel::rowsRemoved, &QAbstractItemModel::rowsInserted})
         connect(model, changed, this, &LayerList::endDrag); // for example by undo
     connect(model, &QAbstractItemModel::modelReset, this, &LayerList::endDrag);
 }
 
-app::ContainerId LayerList::current() const
-{
-    return currentIndex().isValid() ? layers_->layerOf(currentIndex()) : 0;
-}
+app::ContainerId LayerList::current() const { return layers_->layerOf(currentIndex()); }
 
 const LayerCommand* LayerList::commandOf(const QKeyEvent& event) const
 {
@@ -52,56 +52,169 @@ bool LayerList::event(QEvent* event)
 
 void LayerList::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape && dragged_ != 0)
+    if (event->key() == Qt::Key_Escape && (dragged_ != 0 || dragsObjects_))
         return endDrag();
-    const LayerCommand* command = commandOf(*event);
-    if (!command)
-        return PanelList::keyPressEvent(event);
-    if (!command->enabled || command->enabled(current()))
-        command->run(current());
+    if (const LayerCommand* command = commandOf(*event)) {
+        if (!command->enabled || command->enabled(current()))
+            command->run(current());
+        return;
+    }
+    if (treeKey(*event))
+        return;
+    const QModelIndex before = currentIndex();
+    PanelList::keyPressEvent(event);
+    if (currentIndex() != before && current() == 0)
+        pick(currentIndex(), {});
+}
+
+/// Right opens, Left closes or goes to what is around it; Enter shows more.
+bool LayerList::treeKey(const QKeyEvent& event)
+{
+    const QModelIndex index = currentIndex();
+    const app::TreeRow* row = layers_->rowAt(index);
+    if (!row || (event.modifiers() & ~Qt::KeypadModifier))
+        return false;
+    const bool opens = index.data(LayerModel::OpenRole).isValid();
+    if (event.key() == Qt::Key_Right && opens) {
+        layers_->setOpen(index, true);
+    } else if (event.key() == Qt::Key_Left && layers_->isOpen(index)) {
+        layers_->setOpen(index, false);
+    } else if (event.key() == Qt::Key_Left) {
+        const bool isContainer = index.data(LayerModel::CountRole).isValid();
+        const app::ContainerId around =
+            isContainer ? session_.now().containers().parentOf(row->container) : row->container;
+        if (around != 0)
+            setCurrentIndex(layers_->indexOf(around));
+    } else if (row->kind == app::TreeRow::Kind::More
+               && (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)) {
+        layers_->showMore(index);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/// Only layers and groups have a name that can be edited.
+bool LayerList::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event)
+{
+    const bool opensEditor = trigger == DoubleClicked || trigger == AllEditTriggers;
+    return (!opensEditor || index.data(LayerModel::CountRole).isValid())
+           && PanelList::edit(index, trigger, event);
+}
+
+void LayerList::select(const app::ObjectRanges& objects)
+{
+    layers_->keepOpen();
+    selects_ = true;
+    session_.entered.enter(0);
+    session_.select(objects);
+    selects_ = false;
+}
+
+void LayerList::pick(const QModelIndex& index, Qt::KeyboardModifiers modifiers)
+{
+    const app::TreeRow* row = layers_->rowAt(index);
+    if (!row)
+        return;
+    if (row->kind == app::TreeRow::Kind::More)
+        return;
+    app::ObjectRanges objects = layers_->objectsOf(index);
+    if (objects.empty())
+        return emit session_.refused(Text::tr("%1 is locked or hidden. Unlock and show it first.")
+                                         .arg(index.data().toString()));
+    if (modifiers & Qt::ShiftModifier && anchor_.isValid()) {
+        for (int i = std::min(anchor_.row(), index.row()),
+                 last = std::max(anchor_.row(), index.row());
+             i <= last; ++i)
+            objects = united(objects, layers_->objectsOf(layers_->index(i)));
+        return select(objects);
+    }
+    anchor_ = index;
+    if (modifiers & Qt::ControlModifier) {
+        const bool all = common(objects, session_.selection()).size() == objects.size();
+        objects =
+            all ? without(session_.selection(), objects) : united(session_.selection(), objects);
+    }
+    select(objects);
 }
 
 void LayerList::mousePressEvent(QMouseEvent* event)
 {
-    const bool onRow = indexAt(event->position().toPoint()).isValid();
-    pressed_ = event->button() == Qt::LeftButton && onRow
-                   ? std::optional(event->position().toPoint())
-                   : std::nullopt;
+    const QPoint at = event->position().toPoint();
+    const QModelIndex index = indexAt(at);
+    pressed_ =
+        event->button() == Qt::LeftButton && index.isValid() ? std::optional(at) : std::nullopt;
     QListView::mousePressEvent(event);
+    if (!pressed_ || layers_->layerOf(index) != 0
+        || LayerPainter::hitsSign(visualRect(index), index, at))
+        return;
+    // Several that are selected may be dragged together; release() selects one of them.
+    if (!index.data(LayerModel::SelectedRole).toBool() || event->modifiers() != Qt::NoModifier)
+        pick(index, event->modifiers());
 }
 
 void LayerList::mouseMoveEvent(QMouseEvent* event)
 {
     const QPoint at = event->position().toPoint();
-    if (pressed_ && dragged_ == 0
+    if (pressed_ && dragged_ == 0 && !dragsObjects_
         && (at - *pressed_).manhattanLength() >= QApplication::startDragDistance())
-        dragged_ = layers_->layerOf(indexAt(*pressed_));
-    if (dragged_ == 0)
+        startDrag();
+    if (dragged_ == 0 && !dragsObjects_)
         return QListView::mouseMoveEvent(event);
-    target_ = targetAt(at);
+    target_ = dragsObjects_ ? layerUnder(at) : targetAt(at);
     viewport()->update();
+}
+
+void LayerList::startDrag()
+{
+    const QModelIndex index = indexAt(*pressed_);
+    dragged_ = layers_->layerOf(index);
+    dragsObjects_ = dragged_ == 0 && index.data(LayerModel::SelectedRole).toBool();
 }
 
 void LayerList::mouseReleaseEvent(QMouseEvent* event)
 {
     const app::ContainerId layer = dragged_;
+    const bool objects = dragsObjects_;
     const auto target = target_;
-    const bool exists = session_.now().containers().contains(layer);
-    pressed_.reset();
-    if (layer == 0)
-        return QListView::mouseReleaseEvent(event);
+    const auto pressed = std::exchange(pressed_, std::nullopt);
+    if (layer == 0 && !objects) {
+        const QModelIndex index = indexAt(event->position().toPoint());
+        const bool onRow = pressed && !LayerPainter::hitsSign(visualRect(index), index, *pressed);
+        QListView::mouseReleaseEvent(event);
+        const app::TreeRow* row = layers_->rowAt(index);
+        if (onRow && row && row->kind == app::TreeRow::Kind::More)
+            layers_->showMore(index);
+        else if (onRow && row && layers_->layerOf(index) == 0
+                 && event->modifiers() == Qt::NoModifier)
+            pick(index, {});
+        return;
+    }
     endDrag();
     setState(NoState);
-    if (target && exists)
+    const app::Containers& containers = session_.now().containers();
+    if (objects && target && containers.contains(target->place.parent))
+        app::moveSelectionTo(session_, target->place.parent);
+    else if (target && containers.contains(layer))
         app::moveLayer(session_, layer, target->place);
 }
 
 void LayerList::endDrag()
 {
     dragged_ = 0;
+    dragsObjects_ = false;
     pressed_.reset();
     target_.reset();
     viewport()->update();
+}
+
+/// Objects go to the top of a layer.
+LayerList::Target LayerList::layerUnder(const QPoint& at) const
+{
+    const QModelIndex index = indexAt(at);
+    const app::ContainerId layer = layers_->layerAround(index);
+    const QModelIndex row = layers_->indexOf(layer);
+    return {{layer, {}}, visualRect(row.isValid() ? row : index), true};
 }
 
 // The upper and the lower quarter of a row mean the place above and below it.
@@ -114,8 +227,10 @@ LayerList::Target LayerList::targetAt(const QPoint& at) const
         const QRect last = visualRect(layers_->index(layers_->rowCount() - 1));
         return {{0, 0}, line(last, last.bottom())};
     }
+    const app::ContainerId layer = layers_->layerAround(index);
+    if (layers_->layerOf(index) == 0) // a group or an object: the layer around it
+        return layerUnder(at);
     const QRect row = visualRect(index);
-    const app::ContainerId layer = layers_->layerOf(index);
     if (at.y() < row.top() + row.height() / 4)
         return {{tree.parentOf(layer), layer}, line(row, row.top())};
     if (at.y() < row.bottom() - row.height() / 4)
@@ -130,7 +245,19 @@ void LayerList::contextMenuEvent(QContextMenuEvent* event)
     const QModelIndex index = byKey ? currentIndex() : indexAt(event->pos());
     if (!index.isValid())
         return;
+    const QPoint place =
+        byKey ? viewport()->mapToGlobal(visualRect(index).bottomLeft()) : event->globalPos();
     setCurrentIndex(index);
+    if (layers_->layerOf(index) != 0)
+        return layerMenu(index, place);
+    if (!index.data(LayerModel::SelectedRole).toBool())
+        pick(index, {});
+    if (index.data(LayerModel::SelectedRole).toBool())
+        emit objectMenuWanted(place);
+}
+
+void LayerList::layerMenu(const QModelIndex& index, const QPoint& place)
+{
     const app::ContainerId layer = layers_->layerOf(index);
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -146,8 +273,7 @@ void LayerList::contextMenuEvent(QContextMenuEvent* event)
                             });
         }
     }
-    menu->popup(byKey ? viewport()->mapToGlobal(visualRect(index).bottomLeft())
-                      : event->globalPos());
+    menu->popup(place);
 }
 
 void LayerList::paintEvent(QPaintEvent* event)

@@ -19,7 +19,9 @@ struct LayerCommand {
     std::function<bool(app::ContainerId)> enabled{}; ///< null: always
 };
 
-/// The list of layers. Layers are dragged above, below or into others.
+/// The list of layers, groups and objects. Layers are dragged above, below or into others, groups
+/// and objects into layers. A click on a group or an object selects it, with Ctrl or Shift also
+/// others.
 class LayerList : public PanelList {
     Q_OBJECT
 
@@ -27,9 +29,12 @@ public:
     LayerList(app::Session& session, LayerModel* model);
 
     app::ContainerId layerOf(const QModelIndex& index) const { return layers_->layerOf(index); }
+    bool selects() const { return selects_; } ///< while it changes the selection itself
+    using PanelList::edit;
 
 signals:
     void colourWanted(app::ContainerId layer);
+    void objectMenuWanted(const QPoint& place); ///< of the selected objects, on the screen
 
 private:
     /// Where a dragged layer would go, and how this is shown.
@@ -43,7 +48,13 @@ private:
     app::ContainerId current() const;
     const LayerCommand* commandOf(const QKeyEvent& event) const;
     Target targetAt(const QPoint& at) const;
+    Target layerUnder(const QPoint& at) const;
+    void startDrag();
     void endDrag();
+    void select(const app::ObjectRanges& objects);
+    void pick(const QModelIndex& index, Qt::KeyboardModifiers modifiers);
+    bool treeKey(const QKeyEvent& event);
+    void layerMenu(const QModelIndex& index, const QPoint& place);
 
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -52,12 +63,16 @@ private:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
 
     app::Session& session_;
     LayerModel* layers_;
     std::vector<LayerCommand> commands_;
     std::optional<QPoint> pressed_;
-    app::ContainerId dragged_ = 0; ///< 0: no drag
+    app::ContainerId dragged_ = 0; ///< the layer; 0: none is dragged
+    bool dragsObjects_ = false;    ///< the selected ones
+    bool selects_ = false;
+    QPersistentModelIndex anchor_; ///< of what Shift selects
     std::optional<Target> target_;
 };
 

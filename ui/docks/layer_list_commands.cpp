@@ -54,7 +54,7 @@ std::vector<LayerCommand> LayerList::makeCommands()
         {Text::tr("Show only this layer"),
          {},
          [this](ContainerId layer) { app::showOnlyLayer(session_, layer); },
-         [this](ContainerId) { return layers_->rowCount() > 1; }},
+         [this](ContainerId) { return session_.now().containers().size() > 1; }},
         {},
         {Text::tr("Move up"), QKeySequence("Alt+Up"), move(LayerStep::Up), leads(LayerStep::Up)},
         {Text::tr("Move down"), QKeySequence("Alt+Down"), move(LayerStep::Down),

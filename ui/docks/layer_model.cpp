@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/layer_model.h"
 
+#include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/commands/set_containers.h"
 #include "app/session/layer_colour.h"
 #include "app/session/layer_steps.h"
+#include "app/session/units.h"
+#include "app/session/window_words.h"
 #include "ui/look/text.h"
 
 #include <QColor>
@@ -12,102 +16,258 @@
 
 namespace ui {
 
-namespace {
-
-// Appends layers, topmost first, each before those nested in it.
-void append(std::vector<app::ContainerId>& layers, const app::Containers& containers,
-            app::ContainerId around)
-{
-    const auto children = containers.childrenOf(around);
-    for (auto id = children.rbegin();
-         id != children.rend() && layers.size() < app::Containers::mostLayers; ++id)
-        if (containers[*id].kind == app::Container::Kind::Layer) {
-            layers.push_back(*id);
-            append(layers, containers, *id);
-        }
-}
-
-std::vector<app::ContainerId> layersOf(const app::Document& document)
-{
-    std::vector<app::ContainerId> layers;
-    append(layers, document.containers(), 0);
-    return layers;
-}
-
-} // namespace
+using Kind = app::TreeRow::Kind;
 
 LayerModel::LayerModel(app::Session& session, QObject* parent)
-    : CheckedModel(parent), session_(session), layers_(layersOf(session.now()))
+    : CheckedModel(parent), session_(session), rows_(tree_.rows(session.now().containers()))
 {
     connect(&session.document, &app::EditedDocument::changed, this, &LayerModel::follow);
+    connect(&session, &app::Session::selectionChanged, this, [this] {
+        tellChanged({SelectedRole, HoldsRole});
+    });
 }
 
-int LayerModel::rows() const { return int(layers_.size()); }
+int LayerModel::rows() const { return int(rows_.size()); }
+
+const app::TreeRow* LayerModel::rowAt(const QModelIndex& index) const
+{
+    return isCell(index) ? &rows_[std::size_t(index.row())] : nullptr;
+}
 
 app::ContainerId LayerModel::layerOf(const QModelIndex& index) const
 {
-    return isCell(index) ? layers_[std::size_t(index.row())] : 0;
+    const app::TreeRow* row = rowAt(index);
+    return row && row->kind == Kind::Layer ? row->container : 0;
 }
 
-QModelIndex LayerModel::indexOf(app::ContainerId layer) const
+app::ContainerId LayerModel::layerAround(const QModelIndex& index) const
 {
-    return index(int(std::ranges::find(layers_, layer) - layers_.begin()));
+    const app::Containers& containers = session_.now().containers();
+    const app::TreeRow* row = rowAt(index);
+    app::ContainerId id = row ? row->container : 0;
+    while (id != 0 && containers.contains(id) && containers[id].kind != app::Container::Kind::Layer)
+        id = containers.parentOf(id);
+    return id;
 }
 
-QVariant LayerModel::cell(int row, int, int role) const
+QModelIndex LayerModel::indexOf(app::ContainerId layerOrGroup) const
 {
-    const app::ContainerId id = layers_[std::size_t(row)];
-    if (!session_.now().containers().contains(id))
-        return {}; // the layers have changed; follow() will be called
-    const app::Container& layer = session_.now().containers()[id];
+    const auto found = std::ranges::find_if(rows_, [&](const app::TreeRow& row) {
+        return row.container == layerOrGroup
+               && (row.kind == Kind::Layer || row.kind == Kind::Group);
+    });
+    return index(int(found - rows_.begin()));
+}
+
+QVariant LayerModel::cell(int number, int, int role) const
+{
+    const app::TreeRow& row = rows_[std::size_t(number)];
+    if (!session_.now().containers().contains(row.container)
+        || (row.kind == Kind::Object && row.number >= session_.now().objects().size()))
+        return {}; // the document has changed; follow() will be called
+    if (role == DepthRole)
+        return row.depth;
+    if (role == SelectedRole || role == HoldsRole)
+        return selectedCell(row, role);
+    return row.kind == Kind::Object ? objectCell(row.number, role)
+           : row.kind == Kind::More ? moreCell(row, role)
+                                    : containerCell(row, role);
+}
+
+QVariant LayerModel::containerCell(const app::TreeRow& row, int role) const
+{
+    const app::Containers& containers = session_.now().containers();
+    const app::Container& container = containers[row.container];
+    const bool isLayer = row.kind == Kind::Layer;
+    const app::ObjectRange objects = containers.rangeOf(row.container);
     switch (role) {
     case Qt::DisplayRole:
+        return isLayer ? container.name : app::groupName(container);
     case Qt::EditRole:
-        return layer.name;
+        return container.name;
     case VisibleRole:
-        return layer.visible;
+        return container.visible;
     case LockedRole:
-        return layer.locked;
+        return container.locked;
     case CountRole:
-        return qulonglong(session_.now().containers().rangeOf(id).size());
-    case DepthRole:
-        return session_.now().containers().depthOf(id);
+        return qulonglong(objects.size());
+    case OpenRole:
+        return objects.empty() ? QVariant() : QVariant(tree_.isOpen(row.container));
+    case IconRole:
+        return isLayer ? QVariant() : QVariant(QStringLiteral("group"));
+    case PenRole:
+        return isLayer && session_.pen.layer == row.container;
     case Qt::DecorationRole:
-        if (auto colour = app::layerColour(session_.now(), id);
-            colour || (colour = app::strokeColourOf(session_.now(), id)))
+        if (!isLayer)
+            return {};
+        if (auto colour = app::layerColour(session_.now(), row.container);
+            colour || (colour = app::strokeColourOf(session_.now(), row.container)))
             return QColor(colour->red, colour->green, colour->blue);
         return {};
     case Qt::ToolTipRole:
-        return Text::tr(
-            "Double click: rename. Click the colour: choose that of new objects. Alt+click "
-            "on the eye: show only this layer. Drag: move.");
+        return isLayer
+                   ? Text::tr("Double click: rename. Click the colour: choose that of new objects. "
+                              "Alt+click on the eye: show only this layer. Drag: move.")
+                   : Text::tr("Click: select the group. Double click: rename. Drag: to a layer.");
     case Qt::AccessibleTextRole:
         return Text::tr("%1, %2, %3")
-            .arg(layer.name, layer.visible ? Text::tr("shown") : Text::tr("hidden"),
-                 layer.locked ? Text::tr("locked") : Text::tr("not locked"));
+            .arg(isLayer ? container.name : app::groupName(container),
+                 container.visible ? Text::tr("shown") : Text::tr("hidden"),
+                 container.locked ? Text::tr("locked") : Text::tr("not locked"));
     default:
         return {};
     }
 }
 
+QVariant LayerModel::objectCell(std::size_t object, int role) const
+{
+    const app::ObjectView view = session_.now().objects()[object];
+    switch (role) {
+    case Qt::DisplayRole:
+        return view.particulars().id.isEmpty()
+                   ? Text::tr("%1 %2").arg(app::nameOf(view), app::countText(object + 1))
+                   : view.particulars().id;
+    case IconRole:
+        return app::latin(app::iconOf(view));
+    case VisibleRole:
+        return !view.hidden();
+    case Qt::ToolTipRole:
+        return Text::tr("%1. Click: select it. Drag: to a layer.").arg(app::nameOf(view));
+    default:
+        return role == Qt::AccessibleTextRole ? objectCell(object, Qt::DisplayRole) : QVariant();
+    }
+}
+
+QVariant LayerModel::moreCell(const app::TreeRow& row, int role) const
+{
+    if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole)
+        return role == VisibleRole ? QVariant(false) : QVariant(); // muted
+    return Text::tr("%1 more. Click to show some.").arg(app::countText(row.number));
+}
+
+QVariant LayerModel::selectedCell(const app::TreeRow& row, int role) const
+{
+    const app::ObjectRanges& selection = session_.selection();
+    if (selection.empty())
+        return role == SelectedRole && row.kind == Kind::Layer
+               && row.container == session_.pen.layer;
+    if (row.kind == Kind::Object)
+        return role == SelectedRole && selection.contains(row.number);
+    if (row.kind == Kind::More)
+        return false;
+    const app::ObjectRanges in(session_.now().containers().rangeOf(row.container));
+    const app::ObjectRanges both = common(selection, in);
+    const bool isWhole = row.kind == Kind::Group && !in.empty() && both.size() == in.size();
+    return role == SelectedRole ? isWhole : !isWhole && !both.empty();
+}
+
+app::ObjectRanges LayerModel::objectsOf(const QModelIndex& index) const
+{
+    const app::TreeRow* row = rowAt(index);
+    if (!row || row->kind == Kind::Layer || row->kind == Kind::More)
+        return {};
+    const app::ObjectRange objects = row->kind == Kind::Object
+                                         ? app::ObjectRange{row->number, row->number + 1}
+                                         : session_.now().containers().rangeOf(row->container);
+    return common(app::ObjectRanges(objects), app::selectableObjects(session_));
+}
+
+void LayerModel::setOpen(const QModelIndex& index, bool open)
+{
+    const app::TreeRow* row = rowAt(index);
+    if (!row || !index.data(OpenRole).isValid())
+        return;
+    tree_.setOpen(row->container, open);
+    showRows();
+    tellChanged({OpenRole});
+}
+
+void LayerModel::showMore(const QModelIndex& index)
+{
+    if (const app::TreeRow* row = rowAt(index); row && row->kind == Kind::More) {
+        tree_.showMore(row->container);
+        showRows();
+    }
+}
+
+QModelIndex LayerModel::revealSelection()
+{
+    const app::Containers& containers = session_.now().containers();
+    const app::ObjectRanges& selection = session_.selection();
+    const app::ContainerId group =
+        selection.empty() ? 0 : app::groupAt(session_, selection.first());
+    const bool isGroup = group != 0 && selection == app::ObjectRanges(containers.rangeOf(group));
+    if (isGroup)
+        tree_.revealGroup(containers, group);
+    else if (selection.size() == 1)
+        tree_.revealObject(containers, selection.first());
+    else
+        tree_.conceal();
+    showRows();
+    tellChanged({OpenRole});
+    if (isGroup)
+        return indexOf(group);
+    if (selection.size() != 1)
+        return {};
+    const auto found = std::ranges::find_if(rows_, [&](const app::TreeRow& row) {
+        return row.kind == Kind::Object && row.number == selection.first();
+    });
+    return index(int(found - rows_.begin()));
+}
+
+/// Rows at the beginning and at the end that stay the same keep what views know of them.
+void LayerModel::showRows()
+{
+    auto now = tree_.rows(session_.now().containers());
+    if (now == rows_)
+        return;
+    changesRows_ = true;
+    const auto [before, after] = std::ranges::mismatch(rows_, now);
+    const auto first = before - rows_.begin();
+    std::ptrdiff_t same = 0;
+    const auto shorter = std::ptrdiff_t(std::min(rows_.size(), now.size())) - first;
+    while (same < shorter && rows_[rows_.size() - 1 - same] == now[now.size() - 1 - same])
+        ++same;
+    const auto oldEnd = std::ptrdiff_t(rows_.size()) - same;
+    const auto newEnd = std::ptrdiff_t(now.size()) - same;
+    if (first < oldEnd) {
+        beginRemoveRows({}, int(first), int(oldEnd - 1));
+        rows_.erase(rows_.begin() + first, rows_.begin() + oldEnd);
+        endRemoveRows();
+    }
+    if (first < newEnd) {
+        beginInsertRows({}, int(first), int(newEnd - 1));
+        rows_.insert(rows_.begin() + first, now.begin() + first, now.begin() + newEnd);
+        endInsertRows();
+    }
+    changesRows_ = false;
+    emit rowsChanged();
+}
+
 bool LayerModel::change(int row, const QVariant& value, int role)
 {
     const app::Containers& containers = session_.now().containers();
-    const app::ContainerId id = layers_[std::size_t(row)];
-    if (!containers.contains(id))
+    const app::TreeRow& changed = rows_[std::size_t(row)];
+    const app::ContainerId id = changed.container;
+    if (!containers.contains(id) || changed.kind == Kind::Object || changed.kind == Kind::More)
         return false;
+    const bool isLayer = changed.kind == Kind::Layer;
     const app::Container before = containers[id];
     app::Container layer = before;
     QString text;
     if (role == VisibleRole) {
         layer.visible = value.toBool();
-        text = layer.visible ? Text::tr("Show layer") : Text::tr("Hide layer");
+        text = layer.visible ? isLayer ? Text::tr("Show layer") : Text::tr("Show group")
+               : isLayer ? Text::tr("Hide layer")
+                             : Text::tr("Hide group");
     } else if (role == LockedRole) {
         layer.locked = value.toBool();
-        text = layer.locked ? Text::tr("Lock layer") : Text::tr("Unlock layer");
+        text = layer.locked ? isLayer ? Text::tr("Lock layer") : Text::tr("Lock group")
+               : isLayer ? Text::tr("Unlock layer")
+                            : Text::tr("Unlock group");
     } else if (role == Qt::EditRole && !value.toString().trimmed().isEmpty()) {
         layer.name = value.toString().trimmed();
-        text = Text::tr("Rename layer");
+        text = isLayer ? Text::tr("Rename layer") : Text::tr("Rename group");
     }
     if (layer == before)
         return false;
@@ -122,7 +282,8 @@ void LayerModel::showOnly(const QModelIndex& index)
 
 bool LayerModel::addLayer()
 {
-    return app::addLayer(session_, Text::tr("Layer %1").arg(layers_.size() + 1));
+    const auto layers = std::ranges::count(rows_, Kind::Layer, &app::TreeRow::kind);
+    return app::addLayer(session_, Text::tr("Layer %1").arg(layers + 1));
 }
 
 bool LayerModel::mayRemove(app::ContainerId layer) const
@@ -140,17 +301,18 @@ void LayerModel::removeLayer(app::ContainerId layer)
 
 void LayerModel::follow(const app::DocumentChange& change)
 {
-    auto layers = change.containers ? layersOf(session_.now()) : layers_;
-    if (change.everything || layers != layers_) {
+    if (change.everything) {
         beginResetModel();
-        layers_ = std::move(layers);
+        tree_ = {};
+        rows_ = tree_.rows(session_.now().containers());
         endResetModel();
-    } else if (change.containers) {
-        // No reset, because it would close an editor that is open on a name.
-        tellChanged();
-    } else if (change.objects) {
-        tellChanged({CountRole, Qt::DecorationRole});
+        return;
     }
+    if (!change.containers && !change.objects)
+        return;
+    tree_.forgetGone(session_.now().containers());
+    showRows(); // no reset, because it would close an editor that is open on a name
+    tellChanged();
 }
 
 } // namespace ui

@@ -1,29 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/object_tree.h"
 #include "app/session/session.h"
 #include "ui/widgets/checked_model.h"
 
 namespace ui {
 
-/// The layers of the drawing, topmost first; a nested layer follows its parent. Every change is an
-/// undoable step.
+/// The layers of the drawing, topmost first, with the groups and objects of those that are open: a
+/// list of the rows that are shown, which know their depth. Every change is an undoable step.
 class LayerModel : public CheckedModel {
     Q_OBJECT
 
 public:
-    enum Role { VisibleRole = Qt::UserRole, LockedRole, CountRole, DepthRole };
+    enum Role {
+        VisibleRole = Qt::UserRole,
+        LockedRole,
+        CountRole, ///< of the objects of a layer or group; invalid: the row is neither
+        DepthRole,
+        OpenRole,     ///< invalid: there is nothing to open
+        IconRole,     ///< of groups and objects
+        SelectedRole, ///< it is selected as a whole
+        HoldsRole,    ///< a layer or group with a part of the selection
+        PenRole       ///< the layer of new objects
+    };
     // Qt::DecorationRole: the layer's colour, else that of its first object
 
     explicit LayerModel(app::Session& session, QObject* parent = nullptr);
 
-    app::ContainerId layerOf(const QModelIndex& index) const; ///< 0: of no row
-    QModelIndex indexOf(app::ContainerId layer) const;
+    const app::TreeRow* rowAt(const QModelIndex& index) const;    ///< null: of no row
+    app::ContainerId layerOf(const QModelIndex& index) const;     ///< 0: the row is no layer
+    app::ContainerId layerAround(const QModelIndex& index) const; ///< the layer of any row
+    QModelIndex indexOf(app::ContainerId layerOrGroup) const;
+    /// The row of the selection, if that is one object or one group; its parents are open then.
+    QModelIndex revealSelection();
+    /// What was opened for that stays open: the person works in it.
+    void keepOpen() { tree_.keep(); }
+
+    bool isOpen(const QModelIndex& index) const { return index.data(OpenRole).toBool(); }
+    void setOpen(const QModelIndex& index, bool open);
+    void showMore(const QModelIndex& index); ///< more of a layer of which only some are shown
+    /// The objects of a group's or an object's row that may be selected.
+    app::ObjectRanges objectsOf(const QModelIndex& index) const;
 
     void showOnly(const QModelIndex& index); ///< hides the others, or shows all again
     bool addLayer(); ///< above all others; false: the drawing has too many layers
     bool mayRemove(app::ContainerId layer) const; ///< false for the last layer
     void removeLayer(app::ContainerId layer);     ///< with the layers nested in it
+
+    /// Whether rows come and go because the document has changed, and nobody chooses one.
+    bool changesRows() const { return changesRows_; }
+
+signals:
+    void rowsChanged();
 
 protected:
     int rows() const override;
@@ -33,9 +62,16 @@ protected:
 
 private:
     void follow(const app::DocumentChange& change);
+    void showRows();
+    QVariant containerCell(const app::TreeRow& row, int role) const;
+    QVariant objectCell(std::size_t object, int role) const;
+    QVariant moreCell(const app::TreeRow& row, int role) const;
+    QVariant selectedCell(const app::TreeRow& row, int role) const;
 
     app::Session& session_;
-    std::vector<app::ContainerId> layers_; ///< as last reported to views, topmost first
+    app::ObjectTree tree_;
+    std::vector<app::TreeRow> rows_; ///< as last reported to views
+    bool changesRows_ = false;
 };
 
 } // namespace ui

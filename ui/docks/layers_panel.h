@@ -9,7 +9,8 @@ namespace ui {
 
 class ColourPopup;
 
-/// The layers: eye, colour, name, number of objects, padlock. New objects go to the selected layer.
+/// The layers: eye, colour, name, number of objects, padlock; and the groups and objects of those
+/// that are open. New objects go to the layer that was clicked last.
 class LayersPanel : public QWidget {
     Q_OBJECT
 
@@ -19,6 +20,8 @@ public:
 private:
     void chooseColour(app::ContainerId layer);
     void follow();
+    void reveal();
+    void showEvent(QShowEvent* event) override;
 
     app::Session& session_;
     LayerModel* model_;

@@ -4,6 +4,7 @@
 #include "app/base/text.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/docks/layer_list.h"
 #include "ui/docks/window_panel.h"
 #include "ui/menus/algorithm_menu.h"
 #include "ui/widgets/unit_box.h"
@@ -176,6 +177,9 @@ void addContextMenus(MainWindow& window)
     });
     QObject::connect(&window.windowPanel(), &WindowPanel::menuWanted, &window,
                      [&window](const QPoint& place) { showAt(windowMenu(window), place); });
+    QObject::connect(
+        window.findChild<LayerList*>(), &LayerList::objectMenuWanted, &window,
+        [&window](const QPoint& place) { showAt(contextMenu(window, onObject), place); });
     QObject::connect(&window.algorithmPanel(), &AlgorithmPanel::menuWanted, &window,
                      [&window](const clipping::Algorithm& algorithm, const QPoint& place) {
                          showAt(algorithmMenu(window, algorithm), place);

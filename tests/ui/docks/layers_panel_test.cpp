@@ -83,7 +83,7 @@ private slots:
         Panel panel;
         app::Session& session = panel.window->session();
         const auto* colours = panel.window->findChild<LayersPanel*>()->findChild<ColourPopup*>();
-        const QPoint swatch(panel.row(1).left() + space::dockMargin + 30,
+        const QPoint swatch(panel.row(1).left() + space::dockMargin + 41,
                             panel.row(1).center().y());
         panel.click(swatch);
         QVERIFY(colours->isVisible());
