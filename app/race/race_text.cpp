@@ -40,6 +40,35 @@ QString shortTimeText(double milliseconds)
     return Text::tr("%1 µs").arg(numberText(micro, micro < 10 ? 2 : 1));
 }
 
+QString figuresText(const FormResult& result, bool timed)
+{
+    if (!result.measured())
+        return {};
+    QStringList figures;
+    if (timed)
+        figures << Text::tr("%1 ± %2").arg(shortTimeText(result.summary.median),
+                                           shortTimeText(result.summary.spread / 2));
+    figures << Text::tr("%1 operations per line").arg(numberText(result.row.operations, 1))
+            << (result.row.visible == 1
+                    ? Text::tr("1 visible line")
+                    : Text::tr("%1 visible lines").arg(countText(result.row.visible)));
+    if (const std::size_t differing = result.row.differences.all())
+        figures << (differing == 1 ? Text::tr("1 differs")
+                                   : Text::tr("%1 differ").arg(countText(differing)));
+    const bool published = result.row.variant.form == clipping::Form::Published;
+    return (published ? Text::tr("As published: %1") : Text::tr("Corrected: %1"))
+        .arg(figures.join(Text::tr(", ")));
+}
+
+QString placeText(const QString& where, const RaceLane& lane)
+{
+    if (where.isEmpty())
+        return {};
+    return lane.most > 0
+               ? Text::tr("%1 and differences: %2 only, all can clip it").arg(lane.unit(), where)
+               : Text::tr("Differences: %1 only, all can clip it").arg(where);
+}
+
 QString fieldText(std::size_t lines)
 {
     return (lines < leastLinesToTime ? Text::tr("%1: too few to time")

@@ -15,6 +15,14 @@ namespace app {
 enum class WindowNeeds : std::uint8_t { Rectangle, RotatedRectangle, ConvexPolygon, AnyArea };
 
 WindowNeeds needsOf(const ClipRegion::Step& step);
+
+/// A clip window as far as algorithms are concerned.
+struct NamedNeeds {
+    QString name;
+    WindowNeeds needs = WindowNeeds::Rectangle;
+
+    friend bool operator==(const NamedNeeds&, const NamedNeeds&) = default;
+};
 /// The most that any window of a region demands.
 WindowNeeds needsOf(const ClipRegion& region);
 

@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "app/base/text.h"
+#include "app/session/window_words.h"
 
 #include <glm/trigonometric.hpp>
 
@@ -26,6 +27,16 @@ WindowNeeds needsInHand(const Session& session)
 {
     const ClipRegion::Step* step = stepInHand(session);
     return step ? needsOf(*step) : WindowNeeds::Rectangle;
+}
+
+std::vector<NamedNeeds> needsByName(const Session& session)
+{
+    std::vector<NamedNeeds> all;
+    const auto& steps = session.region().steps;
+    for (const ClipWindow& window : session.windows().list)
+        if (window.visible && all.size() < steps.size())
+            all.push_back({nameOf(window), needsOf(steps[all.size()])});
+    return all;
 }
 
 QString headingInHand(const Session& session)

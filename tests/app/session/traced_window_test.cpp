@@ -138,6 +138,9 @@ private slots:
         session.chooseWindow(2);
         QCOMPARE(headingInHand(session), "for Star: concave, 10 edges");
         QCOMPARE(stepInHand(session), &session.region().steps[1]);
+        const std::vector<NamedNeeds> needs{{"Rectangle", WindowNeeds::RotatedRectangle},
+                                            {"Star", WindowNeeds::AnyArea}};
+        QVERIFY(needsByName(session) == needs); // of the visible ones
         session.changeDisplay([](app::Display& display) {
             display.variant.algorithm = clipping::findAlgorithm("lb");
         });
