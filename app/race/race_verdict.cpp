@@ -188,6 +188,8 @@ void addTies(Statements& all, const RaceOutcome& outcome)
 
 void addUntimed(Statements& all, std::size_t lines)
 {
+    if (lines == 0)
+        return all.push_back({Kind::Untimed, Text::tr("There are no lines to compare.")});
     all.push_back({Kind::Untimed,
                    counted(lines, Text::tr("1 line is too few to time."),
                            Text::tr("%1 lines are too few to time.")),
@@ -200,7 +202,7 @@ std::vector<RaceStatement> verdictOf(const RaceOutcome& outcome)
 {
     Statements all;
     const bool known = measured(outcome);
-    if (known) {
+    if (known && outcome.lines > 0) {
         addAgreement(all, outcome);
         addDifferences(all, outcome);
     }

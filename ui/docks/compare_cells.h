@@ -14,14 +14,17 @@ public:
     CompareCells(const CompareModel& model, DenseTable& table);
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
+    /// Of the column of names: with the marker and the abbreviation alone.
+    int leastNameWidth() const;
 
 private:
+    int abbreviationWidth() const; ///< of the longest one, and a gap
     void paintName(QPainter& painter, const QStyleOptionViewItem& option,
-                   const app::RaceRow& row) const;
-    void paintSparkline(QPainter& painter, const QStyleOptionViewItem& option,
-                        const app::RaceRow& row) const;
+                   const app::RacePair& pair) const;
+    void paintLane(QPainter& painter, const QStyleOptionViewItem& option,
+                   const app::RacePair& pair) const;
     void paintNumber(QPainter& painter, const QStyleOptionViewItem& option,
-                     const QModelIndex& index, const app::RaceRow& row) const;
+                     const QModelIndex& index, const app::RacePair& pair) const;
 
     const CompareModel& model_;
     const DenseTable& table_;

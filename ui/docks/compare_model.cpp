@@ -7,158 +7,238 @@
 #include "app/race/race_text.h"
 #include "app/view/frame_times.h"
 #include "ui/look/text.h"
+#include "ui/widgets/dense_table.h"
 
 #include <QCoreApplication>
 
 #include <array>
+#include <limits>
 
 namespace ui {
 
 namespace {
 
+using clipping::Form;
+
 /// The data of a cell.
 struct Cell {
-    const app::RaceRow& row;
-    const app::Summary& summary;
+    const app::RacePair& pair;
+    const app::RaceLane& lane;
     bool timed;
     app::WindowNeeds needs;
+    int digits;
+};
 
-    bool measured() const { return !row.milliseconds.empty(); }
+/// What the headings depend on.
+struct Heads {
+    const app::RaceLane& lane;
+    const QString& limiting;
+    bool inListsOrder, timed, bothForms, laneShown;
 };
 
 struct ColumnInfo {
-    const char* title;
+    QString (*title)(const Heads& heads);
     const char* meaning;
     QString (*text)(const Cell& cell);
+    QString (*spoken)(const Cell& cell); ///< for screen readers
     QVariant (*order)(const Cell& cell);
 };
 
-QString nameOf(const Cell& cell) { return app::shortNameOf(cell.row.variant); }
+QString nameOf(const Cell& cell) { return app::shortNameOf(cell.pair.ablest().row.variant); }
 
-QString onlyIf(bool known, const QString& text) { return known ? text : QStringLiteral("–"); }
-
-QString onlyTimed(const Cell& cell, const QString& text)
+/// In the lane's unit, which the heading names.
+QString timeOf(const Cell& cell, Form form)
 {
-    return onlyIf(cell.timed && cell.measured(), text);
+    const auto& result = cell.pair.of(form);
+    if (!result)
+        return Text::tr("none", "published form");
+    return cell.timed && result->measured() ? cell.lane.number(result->summary.median, cell.digits)
+                                            : QStringLiteral("–");
+}
+
+QString spokenTime(const Cell& cell, Form form)
+{
+    const auto& result = cell.pair.of(form);
+    return result && cell.timed && result->measured() ? cell.lane.text(result->summary.median)
+           : result                                   ? Text::tr("not timed")
+                                                      : timeOf(cell, form);
+}
+
+/// Without meaningful times all keys are equal, which keeps the catalogue's order.
+QVariant orderOf(const Cell& cell, Form form)
+{
+    const auto& result = cell.pair.of(form);
+    return !cell.timed ? 0.0
+           : result    ? result->summary.median
+                       : std::numeric_limits<double>::infinity();
+}
+
+QString bothTimes(const Cell& cell)
+{
+    QStringList times;
+    if (cell.pair.corrected)
+        times << Text::tr("corrected %1").arg(spokenTime(cell, Form::Corrected));
+    if (cell.pair.published)
+        times << Text::tr("as published %1").arg(spokenTime(cell, Form::Published));
+    return times.join(Text::tr(", "));
+}
+
+QString differing(const Cell& cell)
+{
+    const app::FormResult& judged = cell.pair.judged();
+    return judged.measured() ? app::countText(judged.row.differences.all()) : QStringLiteral("–");
 }
 
 QString limitOf(const Cell& cell)
 {
-    const QString limit = app::limitText(cell.row.variant, cell.needs);
+    const QString limit = app::limitText(cell.pair.ablest().row.variant, cell.needs);
     return limit.isEmpty() ? Text::tr("clips it") : limit;
 }
 
-/// Without meaningful times all keys are equal, which keeps the catalogue's order.
-QVariant orderOf(const Cell& cell, double time) { return cell.timed ? time : 0.0; }
+/// With the unit, if no lane says it.
+QString timeTitle(const Heads& heads, const QString& marker)
+{
+    const QString title = heads.bothForms ? marker : Text::tr("median");
+    return heads.laneShown
+               ? title
+               : Text::tr("%1 %2", "a column, and its unit").arg(title, heads.lane.unit());
+}
 
 // In the order of CompareModel::Column.
 constexpr std::array columnInfos{
-    ColumnInfo{QT_TRANSLATE_NOOP("Text", "Algorithm"),
+    ColumnInfo{[](const Heads& heads) {
+                   return heads.inListsOrder ? Text::tr("Algorithm, in the list's order")
+                                             : Text::tr("Algorithm");
+               },
                QT_TRANSLATE_NOOP(
                    "Text", "Filled marker: the corrected form. Hollow marker: the published form."),
-               nameOf, [](const Cell& c) { return QVariant(nameOf(c)); }},
+               nameOf,
+               [](const Cell& c) {
+                   return Text::tr("%1, %2").arg(nameOf(c), app::latin(c.pair.algorithm->name));
+               },
+               [](const Cell& c) { return QVariant(nameOf(c)); }},
+    ColumnInfo{[](const Heads& heads) {
+                   return heads.timed ? Text::tr("0 to %1").arg(heads.lane.end()) : QString();
+               },
+               QT_TRANSLATE_NOOP("Text", "Clipping times, all on the same scale. Filled marker, at "
+                                         "the end of the bar: the corrected form. Hollow marker: "
+                                         "the published form."),
+               [](const Cell&) { return QString(); }, bothTimes,
+               [](const Cell& c) { return orderOf(c, c.pair.ablest().row.variant.form); }},
+    ColumnInfo{[](const Heads& heads) { return timeTitle(heads, Text::tr("filled", "marker")); },
+               QT_TRANSLATE_NOOP("Text", "Clipping time of the corrected form: the median of "
+                                         "several rounds."),
+               [](const Cell& c) { return timeOf(c, Form::Corrected); },
+               [](const Cell& c) { return spokenTime(c, Form::Corrected); },
+               [](const Cell& c) { return orderOf(c, Form::Corrected); }},
+    ColumnInfo{[](const Heads& heads) { return timeTitle(heads, Text::tr("hollow", "marker")); },
+               QT_TRANSLATE_NOOP("Text", "Clipping time of the published form: the median of "
+                                         "several rounds."),
+               [](const Cell& c) { return timeOf(c, Form::Published); },
+               [](const Cell& c) { return spokenTime(c, Form::Published); },
+               [](const Cell& c) { return orderOf(c, Form::Published); }},
     ColumnInfo{
-        QT_TRANSLATE_NOOP("Text", "last 40 frames"),
-        QT_TRANSLATE_NOOP("Text", "Clipping times, from 40 % below to 40 % above the "
-                                  "median. The band lies between the quartiles."),
-        [](const Cell&) { return QString(); },
-        [](const Cell& c) { return orderOf(c, c.measured() ? c.row.milliseconds.back() : 0); }},
-    ColumnInfo{
-        QT_TRANSLATE_NOOP("Text", "median"),
-        QT_TRANSLATE_NOOP("Text", "Clipping time of this frame: the median of several rounds."),
-        [](const Cell& c) { return onlyTimed(c, app::shortTimeText(c.summary.median)); },
-        [](const Cell& c) { return orderOf(c, c.summary.median); }},
-    ColumnInfo{QT_TRANSLATE_NOOP("Text", "± spread"),
-               QT_TRANSLATE_NOOP("Text", "Half the distance between the quartiles."),
-               [](const Cell& c) { return onlyTimed(c, app::shortTimeText(c.summary.spread / 2)); },
-               [](const Cell& c) { return orderOf(c, c.summary.spread); }},
-    ColumnInfo{
-        QT_TRANSLATE_NOOP("Text", "ops/line"),
-        QT_TRANSLATE_NOOP("Text", "Comparisons, additions, multiplications and divisions "
-                                  "per line, counted on evenly spaced lines."),
-        [](const Cell& c) { return onlyIf(c.measured(), app::numberText(c.row.operations, 1)); },
-        [](const Cell& c) { return QVariant(c.row.operations); }},
-    ColumnInfo{QT_TRANSLATE_NOOP("Text", "visible"),
-               QT_TRANSLATE_NOOP("Text", "Lines that are visible, wholly or in part."),
-               [](const Cell& c) { return onlyIf(c.measured(), app::countText(c.row.visible)); },
-               [](const Cell& c) { return QVariant(qulonglong(c.row.visible)); }},
-    ColumnInfo{
-        QT_TRANSLATE_NOOP("Text", "differ"),
-        QT_TRANSLATE_NOOP("Text", "Lines that are lost, kept wrongly, or misplaced by "
-                                  "more than rounding, compared with exact arithmetic."),
-        [](const Cell& c) { return onlyIf(c.measured(), app::countText(c.row.differences.all())); },
-        [](const Cell& c) { return QVariant(qulonglong(c.row.differences.all())); }},
-    ColumnInfo{QT_TRANSLATE_NOOP("Text", "all windows"),
+        [](const Heads&) { return Text::tr("differ"); },
+        QT_TRANSLATE_NOOP("Text", "Lines that the published form loses, keeps wrongly, or "
+                                  "misplaces by more than rounding, compared with exact "
+                                  "arithmetic. Of the corrected form, if only that is shown."),
+        differing, differing,
+        [](const Cell& c) { return QVariant(qulonglong(c.pair.judged().row.differences.all())); }},
+    ColumnInfo{[](const Heads& heads) {
+                   return heads.limiting.isEmpty() ? Text::tr("all windows") : heads.limiting;
+               },
                QT_TRANSLATE_NOOP("Text", "Whether the algorithm can clip at every clip window of "
                                          "the drawing. Where it cannot, nothing is measured."),
-               limitOf, [](const Cell& c) { return QVariant(limitOf(c)); }}};
+               limitOf, limitOf, [](const Cell& c) { return QVariant(limitOf(c)); }}};
 
-QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
+QString tipOf(const app::RacePair& pair, int column, std::size_t lines)
 {
-    const clipping::Algorithm& algorithm = *row.variant.algorithm;
-    if (column == CompareModel::Differ && row.differences.all() > 0)
-        return app::sentence(row.variant, app::exactVariant(), row.differences, lines);
-    const QString name = row.variant.form == clipping::Form::Published
-                             ? Text::tr("%1, as published").arg(app::latin(algorithm.name))
-                             : app::latin(algorithm.name);
-    QString tip = Text::tr("%1 (%2)\n%3")
-                      .arg(name, QString::number(algorithm.year), app::latin(algorithm.idea));
+    const app::RaceRow& judged = pair.judged().row;
+    if (column == CompareModel::Differ && judged.differences.all() > 0)
+        return app::sentence(judged.variant, app::exactVariant(), judged.differences, lines);
+    const clipping::Algorithm& algorithm = *pair.algorithm;
+    QStringList tip{
+        Text::tr("%1 (%2)").arg(app::latin(algorithm.name), QString::number(algorithm.year)),
+        app::latin(algorithm.idea)};
+    for (const auto& form : {pair.corrected, pair.published})
+        if (form && form->measured())
+            tip << app::figuresText(*form, lines >= app::leastLinesToTime);
     if (&algorithm == &clipping::exactAlgorithm())
-        tip += u'\n'
-               + Text::tr(
-                   "Here it clips line by line, like the others. In the editor's own frames it "
-                   "also uses bounding boxes of many lines. This is faster, with the same result.");
-    return tip;
+        tip << Text::tr(
+            "Here it clips line by line, like the others. In the editor's own frames it also uses "
+            "bounding boxes of many lines. This is faster, with the same result.");
+    return tip.join(u'\n');
 }
 
 } // namespace
 
 void CompareModel::show(std::span<const app::RaceRow> rows, std::size_t lines,
-                        app::WindowNeeds needs)
+                        app::WindowNeeds needs, const QString& limiting)
 {
-    const auto same = [](const app::RaceRow& one, const app::RaceRow& other) {
-        return one.variant == other.variant;
+    std::vector<app::RacePair> pairs = app::pairsOf(rows);
+    const auto same = [](const app::RacePair& one, const app::RacePair& other) {
+        return one.algorithm == other.algorithm
+               && one.corrected.has_value() == other.corrected.has_value()
+               && one.published.has_value() == other.published.has_value();
     };
-    const bool others = !std::ranges::equal(rows, rows_, same);
+    const bool others = !std::ranges::equal(pairs, pairs_, same);
     if (others)
         beginResetModel();
+    lane_ = app::laneOf(pairs, lines == lines_ && !others ? lane_ : app::RaceLane{});
     lines_ = lines;
     needs_ = needs;
-    rows_.assign(rows.begin(), rows.end());
-    summaries_.clear();
-    for (const app::RaceRow& row : rows_)
-        summaries_.push_back(row.summary());
+    limiting_ = limiting;
+    pairs_ = std::move(pairs);
     if (others)
         endResetModel();
     else
         tellChanged();
+    emit headerDataChanged(Qt::Horizontal, 0, columns() - 1);
+}
+
+void CompareModel::setDigits(int digits)
+{
+    if (std::exchange(digits_, digits) != digits)
+        tellChanged();
+}
+
+void CompareModel::setLaneShown(bool shown)
+{
+    if (std::exchange(laneShown_, shown) != shown)
+        emit headerDataChanged(Qt::Horizontal, Filled, Hollow);
+}
+
+void CompareModel::setInListsOrder(bool inOrder)
+{
+    if (std::exchange(inOrder_, inOrder) != inOrder)
+        emit headerDataChanged(Qt::Horizontal, Name, Name);
 }
 
 bool CompareModel::timed() const { return lines_ >= app::leastLinesToTime; }
 
 int CompareModel::rowOf(const app::Variant& variant) const
 {
-    const auto found = std::ranges::find(rows_, variant, &app::RaceRow::variant);
-    return found == rows_.end() ? -1 : int(found - rows_.begin());
+    const auto found = std::ranges::find(pairs_, variant.algorithm, &app::RacePair::algorithm);
+    return found != pairs_.end() && found->of(variant.form) ? int(found - pairs_.begin()) : -1;
 }
 
-int CompareModel::rows() const { return int(rows_.size()); }
+int CompareModel::rows() const { return int(pairs_.size()); }
 
 int CompareModel::columns() const { return int(columnInfos.size()); }
 
 QVariant CompareModel::cell(int row, int column, int role) const
 {
     const ColumnInfo& info = columnInfos[std::size_t(column)];
-    const Cell cell{rows_[std::size_t(row)], summaries_[std::size_t(row)], timed(), needs_};
+    const Cell cell{pairs_[std::size_t(row)], lane_, timed(), needs_, digits_};
     switch (role) {
     case Qt::DisplayRole:
         return info.text(cell);
     case OrderRole:
         return info.order(cell);
     case Qt::ToolTipRole:
-        return tipOf(cell.row, column, lines_);
+        return tipOf(cell.pair, column, lines_);
     case Qt::AccessibleTextRole:
-        return column == Sparkline ? columnInfos[Median].text(cell) : info.text(cell);
+        return info.spoken(cell);
     default:
         return {};
     }
@@ -167,13 +247,18 @@ QVariant CompareModel::cell(int row, int column, int role) const
 QVariant CompareModel::heading(int column, int role) const
 {
     const ColumnInfo& info = columnInfos[std::size_t(column)];
+    const bool scaled = timed() && lane_.most > 0;
     switch (role) {
     case Qt::DisplayRole:
-        return Text::tr(info.title);
+        return info.title({lane_, limiting_, inOrder_, scaled,
+                           shows(Form::Corrected) && shows(Form::Published), laneShown_});
+    case DenseTable::EndsRole:
+        return column == Lane && scaled ? QStringList{QStringLiteral("0"), lane_.end()}
+                                        : QVariant();
     case Qt::ToolTipRole:
         return Text::tr(info.meaning);
     case Qt::TextAlignmentRole:
-        return int((column <= Sparkline ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        return int((column <= Lane ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     default:
         return {};
     }

@@ -10,59 +10,80 @@
 #include <QEvent>
 #include <QScopedValueRollback>
 
-#include <array>
-
 namespace ui {
 
 namespace {
 
-constexpr qint64 sortMilliseconds = 1000;
-constexpr int sparklineWidth = 96, leastNameWidth = 112;
-
-/// The columns to hide if space is short, first to last.
-constexpr std::array dispensable{CompareModel::Visible, CompareModel::Spread,
-                                 CompareModel::Sparkline};
+constexpr int laneWidth = 96, mostTitle = 120; // in logical pixels
+constexpr int highRow = 27;
+constexpr int usualDigits = 3, fewDigits = 2; // significant ones of times
 
 } // namespace
 
 CompareTable::CompareTable(app::Session& session, QWidget* parent)
-    : DenseTable(parent), session_(session), widths_(std::size_t(model_.columnCount()))
+    : DenseTable(parent), session_(session), cells_(new CompareCells(model_, *this)),
+      widths_(std::size_t(model_.columnCount()))
 {
     sorted_.setSourceModel(&model_);
     sorted_.setSortRole(CompareModel::OrderRole);
     sorted_.setDynamicSortFilter(false);
     setModel(&sorted_);
     keepChoice(*this);
-    setItemDelegate(new CompareCells(model_, *this));
+    setItemDelegate(cells_);
     setAccessibleName(Text::tr("Compare"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(ScrollPerPixel);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    setSortingEnabled(true);
-    sortByColumn(CompareModel::Median, Qt::AscendingOrder);
-    connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &CompareTable::showOrder);
-    connect(this, &QTableView::activated, this, &CompareTable::choose);
+    horizontalHeader()->setSortIndicatorShown(false);
+    setRows(Rows::High);
+    connect(horizontalHeader(), &QHeaderView::sectionClicked, this, &CompareTable::sortBy);
+    connect(this, &QTableView::activated, this, [this](const QModelIndex& at) { choose(at); });
+    connect(this, &QTableView::clicked, this, [this](const QModelIndex& at) {
+        if (at.column() == CompareModel::Filled || at.column() == CompareModel::Hollow)
+            choose(at, at.column() == CompareModel::Filled ? clipping::Form::Corrected
+                                                           : clipping::Form::Published);
+    });
     connect(&session, &app::Session::displayChanged, this, &CompareTable::follow);
 }
 
 void CompareTable::showRows(std::span<const app::RaceRow> rows, std::size_t lines,
-                            app::WindowNeeds needs)
+                            app::WindowNeeds needs, const QString& limiting)
 {
-    const bool begins = model_.rowCount() != int(rows.size());
-    if (begins || lines != model_.lines())
+    const int before = model_.rowCount();
+    const bool formsBefore[] = {model_.shows(clipping::Form::Corrected),
+                                model_.shows(clipping::Form::Published)};
+    if (lines != model_.lines())
         std::ranges::fill(widths_, 0);
-    model_.show(rows, lines, needs);
-    if (begins)
+    {
+        const QScopedValueRollback quiet(following_, true);
+        model_.show(rows, lines, needs, limiting);
+    }
+    if (before != model_.rowCount() || formsBefore[0] != model_.shows(clipping::Form::Corrected)
+        || formsBefore[1] != model_.shows(clipping::Form::Published)) {
+        std::ranges::fill(widths_, 0);
+        sortOnce(-1);
         follow();
-    if (begins || sinceSorted_.elapsed() >= sortMilliseconds)
-        sort();
-    showOrder();
+        updateGeometry();
+    }
     fitColumns();
 }
 
-int CompareTable::heightFor(int rows) const
+int CompareTable::heightFor(int rows, Rows height) const
 {
-    return horizontalHeader()->sizeHint().height() + rows * space::rowHeight;
+    return horizontalHeader()->sizeHint().height()
+           + rows * (height == Rows::High ? highRow : space::denseRowHeight);
+}
+
+void CompareTable::setRows(Rows height)
+{
+    rows_ = height;
+    verticalHeader()->setDefaultSectionSize(height == Rows::High ? highRow : space::denseRowHeight);
+    updateGeometry();
+}
+
+QSize CompareTable::sizeHint() const
+{
+    return {DenseTable::sizeHint().width(), heightFor(model_.rowCount(), rows_)};
 }
 
 void CompareTable::currentChanged(const QModelIndex& current, const QModelIndex& previous)
@@ -72,11 +93,17 @@ void CompareTable::currentChanged(const QModelIndex& current, const QModelIndex&
         choose(current);
 }
 
-void CompareTable::choose(const QModelIndex& index)
+/// Without a form: the one that is used now, if it takes part.
+void CompareTable::choose(const QModelIndex& index, std::optional<clipping::Form> form)
 {
     if (!index.isValid())
         return;
-    const app::Variant& chosen = model_.row(sorted_.mapToSource(index).row()).variant;
+    const app::RacePair& pair = model_.pair(sorted_.mapToSource(index).row());
+    const bool both =
+        model_.shows(clipping::Form::Corrected) && model_.shows(clipping::Form::Published);
+    const auto wish =
+        form.value_or(both ? session_.display().variant.form : pair.ablest().row.variant.form);
+    const app::Variant chosen{pair.algorithm, wish};
     session_.changeDisplay([&chosen](app::Display& display) { display.variant = chosen; });
 }
 
@@ -91,64 +118,92 @@ void CompareTable::follow()
                                                  | QItemSelectionModel::Rows);
 }
 
-void CompareTable::sort()
+void CompareTable::sortBy(int column)
 {
-    const QScopedValueRollback quiet(following_, true);
-    const QHeaderView* header = horizontalHeader();
-    sorted_.sort(header->sortIndicatorSection(), header->sortIndicatorOrder());
-    sinceSorted_.start();
+    sortOnce(column == sortedBy_ || !model_.sortsBy(column) ? -1 : column);
 }
 
-/// No sort arrow at a column of times that are not meaningful; the rows are then in the catalogue's
-/// order.
-void CompareTable::showOrder()
+void CompareTable::sortByTime()
 {
+    const int column =
+        model_.shows(clipping::Form::Corrected) ? CompareModel::Filled : CompareModel::Hollow;
+    if (model_.sortsBy(column))
+        sortOnce(column);
+}
+
+/// -1: the order of the catalogue.
+void CompareTable::sortOnce(int column)
+{
+    const QScopedValueRollback quiet(following_, true);
+    sorted_.sort(-1); // equal rows are in the catalogue's order
+    if (column >= 0)
+        sorted_.sort(column, CompareModel::orderOf(column));
+    sortedBy_ = column;
+    model_.setInListsOrder(column < 0);
     QHeaderView* header = horizontalHeader();
-    header->setSortIndicatorShown(model_.sortsBy(header->sortIndicatorSection()));
+    header->setSortIndicator(std::max(column, 0), CompareModel::orderOf(column));
+    header->setSortIndicatorShown(column >= 0);
     header->viewport()->update();
+}
+
+bool CompareTable::hides(int column) const
+{
+    return (column == CompareModel::Here && !model_.limits())
+           || (column == CompareModel::Filled && !model_.shows(clipping::Form::Corrected))
+           || (column == CompareModel::Hollow && !model_.shows(clipping::Form::Published));
 }
 
 int CompareTable::widthOf(int column) const
 {
-    const QFontMetrics metrics(font());
+    if (column == CompareModel::Lane)
+        return laneWidth + 2 * gap;
+    const QFontMetrics metrics(column == CompareModel::Differ ? semiBold(font()) : font());
     int width = 0;
     for (int row = 0; row < model_.rowCount(); ++row)
         width = std::max(width, tabularWidth(metrics, model_.index(row, column).data().toString()));
     const QString title = model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
     const QFontMetrics heading(horizontalHeader()->font());
-    return std::max(width, heading.horizontalAdvance(title) + 1) + 2 * gap;
+    return std::max(width, std::min(heading.horizontalAdvance(title) + 1, mostTitle)) + 2 * gap;
 }
 
-/// The name column gets the width that the others leave.
+/// The width that is left for names beside the other columns, with times of that precision.
+int CompareTable::spread(bool lane, int digits)
+{
+    model_.setLaneShown(lane);
+    model_.setDigits(digits);
+    const bool usual = lane && digits == usualDigits;
+    int left = viewport()->width();
+    for (int column = CompareModel::Lane; column < model_.columnCount(); ++column)
+        if (!hides(column) && (lane || column != CompareModel::Lane)) {
+            int& width = widths_[std::size_t(column)];
+            width = usual ? std::max(width, widthOf(column)) : widthOf(column);
+            left -= width;
+        }
+    return left;
+}
+
+/// The column of names gets the width that the others leave. Without room the lane goes first, then
+/// a digit.
 void CompareTable::fitColumns()
 {
-    int left = viewport()->width();
-    for (int column = CompareModel::Sparkline; column < model_.columnCount(); ++column) {
-        if (column == CompareModel::Here && !model_.limits())
-            continue;
-        int& width = widths_[std::size_t(column)];
-        width = std::max(width, column == CompareModel::Sparkline ? sparklineWidth + 2 * gap
-                                                                  : widthOf(column));
-        left -= width;
-    }
-    setColumnHidden(CompareModel::Here, !model_.limits());
-    for (const int column : dispensable) {
-        const bool crowded = left < leastNameWidth;
-        setColumnHidden(column, crowded);
-        if (crowded)
-            left += widths_[std::size_t(column)];
-    }
-    for (int column = CompareModel::Sparkline; column < model_.columnCount(); ++column)
+    const int least = cells_->leastNameWidth();
+    int left = spread(true, usualDigits);
+    const bool lane = left >= least;
+    if (!lane)
+        left = spread(false, usualDigits);
+    if (left < least)
+        left = spread(false, fewDigits);
+    for (int column = CompareModel::Lane; column < model_.columnCount(); ++column) {
+        setColumnHidden(column, hides(column) || (!lane && column == CompareModel::Lane));
         if (!isColumnHidden(column))
             setColumnWidth(column, widths_[std::size_t(column)]);
-    setColumnWidth(CompareModel::Name, std::max(left, leastNameWidth));
+    }
+    setColumnWidth(CompareModel::Name, std::max(left, least));
 }
 
 void CompareTable::resizeEvent(QResizeEvent* event)
 {
     DenseTable::resizeEvent(event);
-    const bool roomy = heightFor(model_.rowCount()) <= height();
-    verticalHeader()->setDefaultSectionSize(roomy ? space::rowHeight : space::denseRowHeight);
     fitColumns();
 }
 

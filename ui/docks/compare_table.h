@@ -5,24 +5,36 @@
 #include "ui/docks/compare_model.h"
 #include "ui/widgets/dense_table.h"
 
-#include <QElapsedTimer>
 #include <QSortFilterProxyModel>
 
 namespace ui {
 
-/// The rows of a race, sorted by any column. Selecting a row selects its algorithm and form in the
-/// session. The order changes at most once a second. If space is short, the table drops the columns
-/// for visible lines, spread and sparkline, in this order. A last column is shown only where not
-/// every algorithm can clip at all clip windows: it says which can.
+class CompareCells;
+
+/// The algorithms of a race, in the order of the catalogue. A click on a heading sorts them once;
+/// the rows then stay where they are, whatever is measured. A second click returns to the order of
+/// the catalogue. Selecting a row selects its algorithm in the session, and a click on a time its
+/// form. If space is short, the table drops the full names, then the lane of times, then digits. A
+/// last column is shown only where not every algorithm can clip at all clip windows: it says which
+/// can.
 class CompareTable : public DenseTable {
     Q_OBJECT
 
 public:
     explicit CompareTable(app::Session& session, QWidget* parent = nullptr);
 
+    /// As CompareModel::show.
     void showRows(std::span<const app::RaceRow> rows, std::size_t lines,
-                  app::WindowNeeds needs = app::WindowNeeds::Rectangle);
-    int heightFor(int rows) const; ///< includes the header; in logical pixels
+                  app::WindowNeeds needs = app::WindowNeeds::Rectangle,
+                  const QString& limiting = {});
+    void sortByTime(); ///< once; of the corrected forms, if they are shown
+    /// Low rows are for panels without room for others.
+    enum class Rows : std::uint8_t { High, Low };
+    int heightFor(int rows, Rows height = Rows::High) const; ///< with the headings
+    void setRows(Rows height);
+    const CompareModel& content() const { return model_; }
+
+    QSize sizeHint() const override; ///< for all rows
 
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
@@ -30,17 +42,21 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void choose(const QModelIndex& index);
+    void choose(const QModelIndex& index, std::optional<clipping::Form> form = {});
     void follow();
-    void sort();
-    void showOrder();
+    void sortBy(int column);
+    void sortOnce(int column);
     void fitColumns();
+    bool hides(int column) const;
     int widthOf(int column) const;
+    int spread(bool lane, int digits);
 
     app::Session& session_;
     CompareModel model_;
     QSortFilterProxyModel sorted_;
-    QElapsedTimer sinceSorted_;
+    CompareCells* cells_;
+    Rows rows_ = Rows::High;
+    int sortedBy_ = -1; ///< the column; -1: the rows are in the order of the catalogue
     /// They only grow while the drawing is the same, so that nothing jumps.
     std::vector<int> widths_;
     bool following_ = false;

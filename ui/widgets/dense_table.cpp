@@ -61,8 +61,13 @@ protected:
         painter->setFont(font());
         painter->setPen(sorts ? look.text : look.muted);
         const QFontMetrics metrics(font());
-        const QString shown = metrics.elidedText(text, Qt::ElideRight, place.width());
+        const QStringList ends =
+            model()->headerData(section, Qt::Horizontal, DenseTable::EndsRole).toStringList();
+        const QString shown =
+            ends.isEmpty() ? metrics.elidedText(text, Qt::ElideRight, place.width()) : ends.front();
         painter->drawText(place, side, shown);
+        if (!ends.isEmpty())
+            painter->drawText(place, Qt::AlignRight | Qt::AlignVCenter, ends.back());
         if (sorts)
             paintArrow(*painter, metrics.boundingRect(place, side, shown).right() + 2, place);
     }

@@ -15,6 +15,8 @@ class DenseTable : public QTableView {
 
 public:
     static constexpr int gap = 8; ///< at both sides of a text, in logical pixels
+    /// Of a heading: two texts, painted at its left and right in place of its own.
+    static constexpr int EndsRole = Qt::UserRole + 100;
 
     explicit DenseTable(QWidget* parent = nullptr);
     /// Paints a cell's background: selected and hovered rows have a uniform background, and the

@@ -12,7 +12,8 @@ namespace ui {
 /// An icon that is only looked at, in its own colours or in one of the look.
 class IconSign : public QWidget {
 public:
-    IconSign(std::string_view key, int side) : icon_(icon(key)) { setFixedSize(side, side); }
+    IconSign(std::string_view key, int side) : IconSign(icon(key), side) {}
+    IconSign(const QIcon& icon, int side) : icon_(icon) { setFixedSize(side, side); }
 
     void show(std::string_view key, QColor Look::*colour)
     {
@@ -20,6 +21,13 @@ public:
         colour_ = colour;
         update();
     }
+    void show(const QIcon& icon) ///< in its own colours
+    {
+        icon_ = icon;
+        colour_ = nullptr;
+        update();
+    }
+    using QWidget::show;
 
 protected:
     void paintEvent(QPaintEvent*) override

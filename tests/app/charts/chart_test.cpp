@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/axis.h"
-#include "app/charts/sparkline.h"
 
 #include <QTest>
 
@@ -181,27 +180,6 @@ private slots:
             QVERIFY(std::holds_alternative<std::monostate>(row.figures[0]));
             QVERIFY(std::holds_alternative<Bar>(row.figures[1]));
         }
-    }
-    void sparklinesShowFortyPerCent()
-    {
-        const QRectF area(0, 10, 80, 22);
-        QCOMPARE(sparklineY(area, 5, 5), area.center().y());
-        QCOMPARE(sparklineY(area, 7, 5), sparklineY(area, 100, 5));
-        QVERIFY(sparklineY(area, 7, 5) >= area.top());
-        QVERIFY(sparklineY(area, 0, 5) <= area.bottom());
-        QVERIFY(sparklineY(area, 5.5, 5) < area.center().y());
-    }
-    void sparklinesEndWithADotAtTheLastNumber()
-    {
-        QImage image(80, 22, QImage::Format_RGB32);
-        image.fill(Qt::white);
-        QPainter painter(&image);
-        paint(painter, image.rect(), Sparkline{{}, 40}, Qt::black); // nothing
-        QCOMPARE(image.pixel(77, 11), qRgb(255, 255, 255));
-        paint(painter, image.rect(), Sparkline{{5, 5, 5, 6}, 40}, Qt::black);
-        painter.end();
-        QCOMPARE(image.pixel(77, int(sparklineY(image.rect(), 6, 5))), qRgb(0, 0, 0));
-        QCOMPARE(image.pixel(20, 11), qRgb(255, 255, 255)); // 36 places are empty yet
     }
     void wordsSayWhatThePictureShows()
     {

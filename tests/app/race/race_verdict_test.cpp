@@ -135,6 +135,9 @@ private slots:
         QVERIFY(said->rest.contains("1,000 lines"));
         QVERIFY(!statement({.rows = rows, .lines = 74}, Kind::Ties));
         QVERIFY(!statement({.rows = rows, .lines = many}, Kind::Untimed));
+        const auto nothing = app::verdictOf({.rows = rows, .lines = 0});
+        QCOMPARE(nothing.size(), std::size_t(1));
+        QCOMPARE(nothing.front().first, "There are no lines to compare.");
     }
     /// Five paragraphs are the most that the panel has room for.
     void everyKindIsSaidAtMostOnceAndInOrder()
