@@ -2,6 +2,8 @@
 #include "app/comparison/agreement.h"
 #include "app/document/hidden_objects.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/docks/compare_panel.h"
+#include "ui/docks/compare_table.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/look/text.h"
 #include "ui/menus/menu_rows.h"
@@ -103,6 +105,16 @@ MenuInfo compareMenu()
                     .text = Text::tr("&Select lines that differ"),
                     .keys = {QKeySequence("Shift+F7")},
                     .run = selectDiffering,
+                    .enabled = someLines,
+                },
+                {
+                    .key = "sort-by-time",
+                    .text = Text::tr("Sort by &time"),
+                    .run =
+                        [](MainWindow& w) {
+                            w.raisePanel("compare");
+                            w.comparePanel().table().sortByTime();
+                        },
                     .enabled = someLines,
                 },
                 {

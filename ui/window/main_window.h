@@ -49,6 +49,7 @@ public:
     Files& files() { return *files_; }
     WindowPanel& windowPanel() { return *panels_.window; }
     AlgorithmPanel& algorithmPanel() { return *panels_.algorithm; }
+    ComparePanel& comparePanel() { return *panels_.compare; }
     DifferencePanel& differencePanel() { return *panels_.difference; }
     CostMapPanel& costMapPanel() { return *panels_.costMap; }
     ExactnessPanel& exactnessPanel() { return *panels_.exactness; }

@@ -290,6 +290,23 @@ private slots:
         QCOMPARE(t.names(), (QStringList{"CB", "LB", "CS"}));
         QCOMPARE(t.table.model()->index(2, CompareModel::Hollow).data().toString(), "none");
     }
+    void theMenuSortsByTime()
+    {
+        CompareWindow t(5000);
+        t.action("sort-by-time")->trigger();
+        QVERIFY(t.dock().isVisible());
+        QTRY_VERIFY(t.panel().race().settled());
+        QTRY_COMPARE(t.panel().groups().isEmpty(), false);
+        t.action("sort-by-time")->trigger();
+        std::vector<double> times;
+        for (int row = 0; row < t.rows(); ++row)
+            times.push_back(t.table()
+                                .model()
+                                ->index(row, CompareModel::Filled)
+                                .data(CompareModel::OrderRole)
+                                .toDouble());
+        QVERIFY(std::ranges::is_sorted(times));
+    }
     void screenReadersGetTheNumbersAndTheirUnit()
     {
         TableAlone t;
