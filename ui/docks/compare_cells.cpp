@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/compare_cells.h"
 
+#include "app/base/text.h"
 #include "ui/look/look.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
