@@ -124,14 +124,18 @@ void addLimits(Statements& all, const RaceOutcome& outcome)
 {
     const std::vector<RacePair> pairs = pairsOf(outcome.rows);
     QStringList told;
-    for (const Limit& limit : limitsOf(outcome, pairs))
+    const std::vector<Limit> limits = limitsOf(outcome, pairs);
+    for (const Limit& limit : limits)
         told << limitSentence(limit, pairs);
     if (told.isEmpty())
         return;
     const QString first = told.takeFirst();
-    told << Text::tr("The drawing shows %1 there instead. Lines there are not counted for the "
-                     "others: nothing there is lost.")
-                .arg(shortNameOf(exactVariant()));
+    const Limit& only = limits.front();
+    told << (limits.size() == 1 && only.windows.size() == 1 && only.pairs.size() > 1
+                 ? Text::tr("They leave it alone, and its lines are not counted for them: nothing "
+                            "there is lost.")
+                 : Text::tr("Such a window is left alone, and lines there are not counted: nothing "
+                            "there is lost."));
     all.push_back({Kind::Limits, first, told.join(u' ')});
 }
 

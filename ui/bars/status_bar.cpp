@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "app/base/text.h"
+#include "app/scene/left_alone.h"
 #include "app/scene/window_needs.h"
 #include "app/view/ruler.h"
 #include "ui/look/look.h"
@@ -70,6 +71,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&canvas, &Canvas::toolChanged, this, [hint] { hint({}); });
     connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
     connect(&session, &app::Session::previewChanged, this, &StatusBar::followWindows);
+    connect(&canvas, &Canvas::panesChanged, this, &StatusBar::followWindows);
     connect(&session, &app::Session::loaded, this, &StatusBar::forgetFrames);
     connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
     connect(&session.microscope, &app::Microscope::openChanged, this, [this] { showHint({}); });
@@ -277,6 +279,13 @@ void StatusBar::keepRoomForLines()
     visible_->setWidest(summary_.isEmpty() ? visibleText(widest) : summary_);
 }
 
+/// Whether the active pane does not clip at some windows, rather than with another algorithm.
+bool StatusBar::leavesAlone() const
+{
+    return canvas_.panes().size() > 1
+           && !app::leftAlone(session_.region(), session_.variant()).empty();
+}
+
 void StatusBar::showAlgorithm(const app::Variant& variant)
 {
     QString widest;
@@ -285,7 +294,8 @@ void StatusBar::showAlgorithm(const app::Variant& variant)
             > fontMetrics().horizontalAdvance(widest))
             widest = app::latin(row.abbreviation);
     const bool open = session_.microscope.isOpen();
-    const app::Variant used = open ? variant : app::usedAt(session_.region(), variant);
+    const app::Variant used =
+        open || leavesAlone() ? variant : app::usedAt(session_.region(), variant);
     const bool published = used.form == clipping::Form::Published;
     const QString mark = Text::tr(", published"), other = Text::tr("%1 instead of %2");
     const bool instead = used.algorithm != variant.algorithm;
@@ -309,8 +319,9 @@ void StatusBar::explainAlgorithm()
     const bool open = session_.microscope.isOpen();
     const app::Variant& shown =
         open ? session_.microscope.tracedLine().variant : session_.variant();
-    const QString instead =
-        open ? QString() : app::insteadText(app::needsOf(session_.region()), shown);
+    const QString instead = open || leavesAlone()
+                                ? QString()
+                                : app::insteadText(app::needsOf(session_.region()), shown);
     algorithm_->setToolTip(instead.isEmpty() ? app::latin(shown.algorithm->name) : instead);
 }
 

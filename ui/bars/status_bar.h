@@ -58,6 +58,7 @@ private:
     void showAlgorithm(const app::Variant& variant);
     void explainAlgorithm(); ///< in its tooltip
     void followWindows();
+    bool leavesAlone() const;
     void showZoom();
     void keepRoom();
     void keepRoomForLines();

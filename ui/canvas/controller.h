@@ -32,6 +32,10 @@ struct Pane {
     int among = 1;                             ///< number of panes painted in one frame
     app::LiveDifferences* fromExact = nullptr; ///< differences from exact to mark; null: none
     std::uint64_t revision = 0;                ///< of the differences found in fromExact
+    /// The windows at which its variant cannot clip (app/scene/left_alone.h), and what it clips at
+    /// instead of all windows; empty: at all.
+    std::vector<std::size_t> leftAlone{};
+    std::optional<app::ClipRegion> region{};
 };
 
 /// The state that all surfaces share: the view, the tool, the handling of pointer and keys, and the

@@ -4,6 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/session/window_in_hand.h"
 #include "app/session/window_words.h"
+#include "ui/canvas/left_alone_mark.h"
 #include "ui/look/text.h"
 
 namespace ui {
@@ -45,7 +46,7 @@ Words labelOf(const Controller& controller, const Pane& pane)
     if (pane.among == 1)
         return {};
     if (const QString limit = app::limitText(pane.choice, app::needsOf(session.region()));
-        !limit.isEmpty())
+        !limit.isEmpty() && !hasReasons(pane))
         return {Text::tr("Not clipped here: %1").arg(limit), Text::tr("Not clipped here")};
     const auto differences = controller.differing(pane);
     if (!differences || differences->list.empty())

@@ -73,9 +73,32 @@ void PaneHeading::setNeeds(app::WindowNeeds needs)
         followNeeds();
 }
 
+void PaneHeading::setLimits(const QString& where, const QString& left)
+{
+    if (where == where_ && left == left_)
+        return;
+    where_ = where;
+    left_ = left;
+    if (pane_)
+        followNeeds();
+}
+
+bool PaneHeading::clips() const
+{
+    return left_.isEmpty() ? app::limitText(pane_->choice, needs_).isEmpty() : !where_.isEmpty();
+}
+
+app::Variant PaneHeading::used() const
+{
+    return left_.isEmpty() ? app::usedAt(needs_, pane_->choice) : pane_->choice;
+}
+
 void PaneHeading::followNeeds()
 {
-    const QString instead = app::insteadText(needs_, pane_->choice);
+    const QString instead =
+        left_.isEmpty() ? app::insteadText(needs_, pane_->choice)
+                        : Text::tr("%1 does not clip %2: %3")
+                              .arg(accessibleName(), left_, app::limitText(pane_->choice, needs_));
     setToolTip(instead.isEmpty() ? accessibleName() : instead);
     place();
     update();
@@ -84,7 +107,9 @@ void PaneHeading::followNeeds()
 // The name of the algorithm, or what clips in its place.
 QString PaneHeading::nameText() const
 {
-    const app::Variant used = app::usedAt(needs_, pane_->choice);
+    if (!left_.isEmpty())
+        return where_.isEmpty() ? app::limitText(pane_->choice, needs_) : where_;
+    const app::Variant used = this->used();
     if (used.algorithm == pane_->choice.algorithm)
         return app::latin(used.algorithm->name);
     return Text::tr("%1: %2 instead", "why an algorithm cannot clip; what clips instead")
@@ -134,7 +159,7 @@ PaneHeading::Places PaneHeading::places() const
     const int name = fontMetrics().horizontalAdvance(nameText()) + headingGap;
     const int formWidth =
         QFontMetrics(captionFont(font())).horizontalAdvance(formText()) + headingGap;
-    const bool published = app::usedAt(needs_, pane_->choice).form == clipping::Form::Published;
+    const bool published = used().form == clipping::Form::Published;
     const bool form = published && formWidth <= room;
     room -= form ? formWidth : 0;
     if (room >= std::min(name, leastName + headingGap))
@@ -171,7 +196,7 @@ void PaneHeading::paintEvent(QPaintEvent*)
     if (pane_->active)
         painter.fillRect(0, 0, width(), 2, look.selection);
     const int markerTop = (height() - markerSize) / 2 + 1;
-    const bool clips = app::limitText(choice, needs_).isEmpty();
+    const bool clips = this->clips();
     painter.setOpacity(clips ? 1 : 0.4);
     app::paintMarker(painter, QRectF(p.marker.left(), markerTop, markerSize, markerSize), choice,
                      groundOf(palette()));
@@ -188,7 +213,7 @@ void PaneHeading::paintEvent(QPaintEvent*)
     };
     const QColor ink = clips ? look.text : palette().color(QPalette::Disabled, QPalette::Text);
     text(p.abbreviation, semiBold(font()), ink, app::latin(choice.algorithm->abbreviation));
-    text(p.name, font(), clips ? look.text : look.muted, nameText());
+    text(p.name, font(), clips && left_.isEmpty() ? look.text : look.muted, nameText());
     text(p.form, captionFont(font()), look.muted, formText());
     painter.setFont(font());
     painter.setPen(look.text);

@@ -24,6 +24,10 @@ public:
     /// What the clip windows demand: an algorithm that cannot clip there is dimmed, and the heading
     /// says what is used instead.
     void setNeeds(app::WindowNeeds needs);
+    /// What it says where the algorithm leaves the windows `left` alone, with their names: where it
+    /// clips, empty if nowhere. Without such windows it says what is used instead.
+    void setLimits(const QString& where, const QString& left);
+    QString remark() const { return nameText(); } ///< as shown after the abbreviation
     void note(const app::FrameTimes& times);
     QString time() const { return time_; } ///< as shown
     void openMenu();
@@ -56,9 +60,12 @@ private:
 
     QString nameText() const;
     void followNeeds();
+    bool clips() const; ///< anywhere
+    app::Variant used() const;
 
     std::optional<Pane> pane_;
     app::WindowNeeds needs_ = app::WindowNeeds::Rectangle;
+    QString where_, left_;
     QToolButton *choose_, *close_;
     app::FrameStatistics clip_;
     app::FrameTimes last_;

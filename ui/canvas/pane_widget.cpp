@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/pane_widget.h"
 
+#include "app/base/short_names.h"
 #include "app/base/variant.h"
+#include "app/scene/left_alone.h"
+#include "app/session/window_in_hand.h"
+#include "app/session/window_words.h"
 #include "ui/look/text.h"
 
 namespace ui {
@@ -26,6 +30,7 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
     connect(&fromExact_, &app::LiveDifferences::changed, this, [this, &drawing] {
         ++pane_.revision;
         drawing.update();
+        sayWhereItClips();
     });
     connect(&session_, &app::Session::previewChanged, this, &PaneWidget::followWindow);
 }
@@ -35,6 +40,13 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
 void PaneWidget::followWindow()
 {
     heading_->setNeeds(app::needsOf(session_.region()));
+    pane_.leftAlone = pane_.among > 1 ? app::leftAlone(session_.region(), pane_.choice)
+                                      : std::vector<std::size_t>();
+    pane_.region.reset();
+    if (!pane_.leftAlone.empty())
+        pane_.region = app::shownRegionOf(app::without(session_.windows(), pane_.leftAlone),
+                                          session_.now().page());
+    sayWhereItClips();
     if (!clipsItself())
         fromExact_.setWindow(std::nullopt);
     else if (pane_.choice.form == clipping::Form::Published || !session_.preview().windows)
@@ -43,7 +55,26 @@ void PaneWidget::followWindow()
 
 bool PaneWidget::clipsItself() const
 {
-    return app::usedAt(session_.region(), pane_.choice) == pane_.choice;
+    return app::usedAt(pane_.region.value_or(session_.region()), pane_.choice) == pane_.choice;
+}
+
+void PaneWidget::sayWhereItClips()
+{
+    if (pane_.leftAlone.empty())
+        return heading_->setLimits({}, {});
+    QStringList clipped, left;
+    const std::vector<app::NamedNeeds> windows = app::needsByName(session_);
+    for (std::size_t i = 0; i < windows.size(); ++i)
+        (std::ranges::binary_search(pane_.leftAlone, i) ? left : clipped) << windows[i].name;
+    const QString compared = app::comparedName(session_);
+    const bool agrees = fromExact_.asked() && fromExact_.upToDate() && session_.comparedAt()
+                        && fromExact_.found().list.empty() && fromExact_.found().lines > 0;
+    heading_->setLimits(
+        clipped.isEmpty() ? QString()
+        : agrees && !compared.isEmpty()
+            ? Text::tr("agrees in %1").arg(compared)
+            : Text::tr("in %1 only", "clip windows").arg(app::briefListText(clipped)),
+        app::briefListText(left));
 }
 
 void PaneWidget::show(const Pane& pane, Heading heading)

@@ -53,6 +53,7 @@ private:
     void place();
     void followWindow();
     bool clipsItself() const; ///< not another algorithm in its place
+    void sayWhereItClips();
 
     const app::Session& session_;
     app::LiveDifferences fromExact_;

@@ -3,9 +3,11 @@
 
 #include "app/document/window_outline.h"
 #include "app/scene/area_windows.h"
+#include "app/scene/window_needs.h"
 #include "app/session/window_operations.h"
 #include "app/view/frame_handles.h"
 #include "app/view/window_borders.h"
+#include "ui/canvas/left_alone_mark.h"
 #include "ui/canvas/window_label.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/canvas/window_tags.h"
@@ -155,8 +157,34 @@ void paintBorder(QPainter& painter, const Controller& controller, const QPainter
     painter.drawPath(border);
 }
 
+bool leavesAlone(const Pane& pane, std::size_t step)
+{
+    return std::ranges::binary_search(pane.leftAlone, step);
+}
+
+/// A box for each window that the pane's variant leaves alone. It covers neither another window nor
+/// a name.
+void paintReasons(QPainter& painter, const Controller& controller, const Pane& pane)
+{
+    if (!hasReasons(pane))
+        return;
+    const auto& steps = controller.session().region().steps;
+    for (const std::size_t step : pane.leftAlone) {
+        std::vector<QRectF> taken;
+        for (std::size_t other = 0; other < steps.size(); ++other)
+            if (other != step)
+                taken.push_back(boxOnScreen(controller.view(), steps[other].box));
+        if (pane.active)
+            for (const WindowTag& tag : windowTags(controller, painter.font()))
+                taken.push_back(tag.place);
+        paintWhyLeftAlone(painter, controller, boxOnScreen(controller.view(), steps[step].box),
+                          app::limitText(pane.choice, app::needsOf(steps[step])), taken);
+    }
+}
+
 // Paints the window that is acted on, above all others, which have thin lines.
-void paintBorders(QPainter& painter, const Controller& controller, const app::FrameKey* shown)
+void paintBorders(QPainter& painter, const Controller& controller, const Pane& pane,
+                  const app::FrameKey* shown)
 {
     const app::Session& session = controller.session();
     std::optional<QPainterPath> chosen;
@@ -166,6 +194,10 @@ void paintBorders(QPainter& painter, const Controller& controller, const app::Fr
     forEachVisible(session, [&](std::size_t number, std::size_t step) {
         if (app::isLong(session.region().steps[step]))
             return;
+        if (leavesAlone(pane, step))
+            return paintLeftAlone(
+                painter, controller,
+                outlineOnScreen(controller.view(), session.windows().list[number].shape));
         const QPainterPath outline = outlineInFrame(controller, number, step, shown);
         if (number == session.windowNumber()) {
             chosen = outline;
@@ -263,12 +295,12 @@ bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& w
 
 } // namespace
 
-std::vector<app::BorderLine> longBorders(const Controller& controller)
+std::vector<app::BorderLine> longBorders(const Controller& controller, const Pane& pane)
 {
     const app::Session& session = controller.session();
     std::vector<app::BorderLine> borders;
     forEachVisible(session, [&](std::size_t number, std::size_t step) {
-        if (!app::isLong(session.region().steps[step]))
+        if (!app::isLong(session.region().steps[step]) || leavesAlone(pane, step))
             return;
         const app::ClipWindow& window = session.windows().list[number];
         app::BorderLine line{.step = step,
@@ -293,7 +325,8 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
                        controller.pageColour());
         return;
     }
-    paintBorders(painter, controller, shown);
+    paintBorders(painter, controller, pane, shown);
+    paintReasons(painter, controller, pane);
     const QRectF window = boxOnScreen(controller);
     if (pane.active)
         paintTags(painter, controller);

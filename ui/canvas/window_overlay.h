@@ -6,11 +6,12 @@
 namespace ui {
 
 /// The outlines that are long; the picture shows them.
-std::vector<app::BorderLine> longBorders(const Controller& controller);
+std::vector<app::BorderLine> longBorders(const Controller& controller, const Pane& pane);
 /// Paints the clip window: its outline with a casing, unless it is long, and, in the active pane,
 /// its handles and, without a capsule, a label with its size or position. The outline is where the
 /// window was in the frame `shown`, if that is an earlier one: cut and outline move together, and
-/// only the handles go ahead with the pointer.
+/// only the handles go ahead with the pointer. A window that the pane's variant leaves alone has a
+/// dotted outline, and a box that says so.
 void paintWindow(QPainter& painter, const Controller& controller, const Pane& pane,
                  const app::FrameKey* shown);
 /// The chosen window with its handles, and what its capsule must not cover: these, names and small

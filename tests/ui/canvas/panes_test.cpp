@@ -269,7 +269,7 @@ private slots:
         QCOMPARE(magenta(0), 0);
     }
     /// Another algorithm clips in its place: what it would lose of the page is no loss here.
-    void aPaneThatCannotClipHasNoDifferences()
+    void aPaneWithAnotherAlgorithmInItsPlaceHasNoDifferences()
     {
         PaneStage stage(4);
         const auto difference = [&](std::size_t i) { // of a pane's picture from that of `exact`
@@ -283,9 +283,46 @@ private slots:
         };
         stage.canvas->setTool("hand"); // no handles, which only the active pane has
         QVERIFY(difference(2) > 500);
-        setWindows(stage.session, {concaveWindow("Star", {{20, 5}, {180, 60}})});
+        setWindows(stage.session, {concaveWindow("Star", {{20, 5}, {180, 60}})},
+                   app::Keep::Outside); // which depends on all windows
         QCOMPARE(difference(2), 0);
         QVERIFY(stage.heading(2).toolTip().contains("rectangles only"));
+        QVERIFY(stage.heading(2).remark().contains("instead"));
+    }
+    /// Beside others an algorithm clips where it can, and says where it does not.
+    void aPaneLeavesAloneWhatItCannotClip()
+    {
+        PaneStage stage(4);
+        const app::ClipWindow box{.name = "Box",
+                                  .shape = app::RectangleShape{{{20, 20}, {60, 60}}}};
+        const app::ClipWindow star = concaveWindow("Star", {{100, 5}, {180, 95}});
+        const auto kept = [&](std::size_t i, QPointF from, QPointF to) { // pixels, not ghosted
+            const QImage image = stage.shot(i);
+            const QRect area(stage.at({from.x(), from.y()}), stage.at({to.x(), to.y()}));
+            int pixels = 0;
+            for (int y = area.top(); y < area.bottom(); ++y)
+                for (int x = area.left(); x < area.right(); ++x)
+                    pixels += image.pixelColor(x, y).red() < 100;
+            return pixels;
+        };
+        setWindows(stage.session, {box, star});
+        QVERIFY(kept(0, {25, 25}, {55, 55}) > 20);
+        QCOMPARE(kept(1, {25, 25}, {55, 55}), kept(0, {25, 25}, {55, 55}));
+        QVERIFY(kept(0, {120, 15}, {140, 40}) > 20);
+        QCOMPARE(kept(1, {120, 15}, {140, 40}), 0);
+        QTRY_COMPARE(stage.heading(1).remark(), "agrees in Box");
+        QCOMPARE(stage.heading(2).remark(), "in Box only"); // it loses lines there
+        QCOMPARE(stage.heading(0).remark(), "Exact");
+        QVERIFY(stage.heading(1).toolTip().endsWith("does not clip Star: rectangles only"));
+        setWindows(stage.session, {star});
+        QCOMPARE(stage.heading(1).remark(), "rectangles only");
+        QCOMPARE(kept(1, {120, 15}, {140, 40}), 0);
+        stage.canvas->activatePane(1);
+        stage.show(1); // alone it shows the drawing as it is cut
+        QVERIFY(kept(0, {120, 15}, {140, 40}) > 20);
+        setWindows(stage.session, {box});
+        QVERIFY(stage.heading(0).toolTip().isEmpty()
+                || !stage.heading(0).toolTip().contains("rectangles"));
     }
     void headingsShowTheirTimes()
     {

@@ -125,7 +125,7 @@ private slots:
         QStringList tips;
         for (const auto* heading : w.window->canvas().findChildren<PaneHeading*>())
             tips << heading->toolTip();
-        QVERIFY2(tips.contains("Exact is used instead: Cohen-Sutherland clips at rectangles only."),
+        QVERIFY2(tips.contains("Cohen-Sutherland does not clip Star: rectangles only"),
                  qPrintable(tips.join("; ")));
     }
 };

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/canvas/controller.h"
+
+#include <QPainterPath>
+
+namespace ui {
+
+/// Whether a pane says at each window that its variant leaves alone why; not if there are too many
+/// of them.
+inline bool hasReasons(const Pane& pane)
+{
+    constexpr std::size_t most = 8;
+    return !pane.leftAlone.empty() && pane.leftAlone.size() <= most;
+}
+
+/// Paints the outline, on screen, of a clip window that a pane's variant leaves alone: dotted, and
+/// its inside faded.
+void paintLeftAlone(QPainter& painter, const Controller& controller, const QPainterPath& outline);
+
+/// Paints the box that says why: in the middle of such a window, or beside it if that is too
+/// small. It does not cover what is `taken`; without another place there is no box.
+void paintWhyLeftAlone(QPainter& painter, const Controller& controller, const QRectF& window,
+                       const QString& why, std::span<const QRectF> taken);
+
+} // namespace ui
