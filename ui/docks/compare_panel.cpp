@@ -16,7 +16,6 @@
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/segments.h"
 
-#include <QScrollArea>
 #include <QSettings>
 #include <QVBoxLayout>
 
@@ -84,7 +83,7 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
       state_(caption(font())), field_(caption(font())), place_(caption(font())), page_(new QWidget),
       corrected_(legend(Form::Corrected, Text::tr("corrected"), font())),
       published_(legend(Form::Published, Text::tr("as published"), font())),
-      verdict_(new VerdictList), verdictArea_(new QScrollArea)
+      verdict_(new VerdictList), verdictArea_(new VerdictArea(verdict_))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -102,14 +101,6 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     page->setContentsMargins(0, 2, 0, 0);
     page->addWidget(new PageCaption(session));
     column->addWidget(page_);
-    verdictArea_->setWidget(verdict_);
-    verdictArea_->setWidgetResizable(true);
-    verdictArea_->setFrameShape(QFrame::NoFrame);
-    verdictArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    verdictArea_->setAccessibleName(Text::tr("Verdict"));
-    // The table gets its height first.
-    verdictArea_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-    verdictArea_->setMinimumHeight(2 * verdict_->lineHeight());
     column->addWidget(verdictArea_, 1);
 
     connect(forms_, &Segments::picked, this, [this](int index) {

@@ -9,12 +9,11 @@
 #include <QPushButton>
 #include <QWidget>
 
-class QScrollArea;
-
 namespace ui {
 
 class CompareTable;
 class Segments;
+class VerdictArea;
 class VerdictList;
 
 /// Clips the same frame with every algorithm: the times and differences as a table, and what
@@ -62,7 +61,7 @@ private:
     QWidget* page_;                   ///< the caption that says where, if no window's name does
     QWidget *corrected_, *published_; ///< parts of the legend
     VerdictList* verdict_;
-    QScrollArea* verdictArea_;
+    VerdictArea* verdictArea_;
     std::vector<app::NamedNeeds> windows_{}; ///< as shown
     QString where_{};
     QTimer pause_;         ///< until the numbers may change again

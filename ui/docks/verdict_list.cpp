@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/verdict_list.h"
 
+#include "ui/look/focus_ring.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/look_label.h"
 
 #include <QEvent>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <array>
@@ -18,6 +21,7 @@ namespace {
 using Kind = app::RaceStatement::Kind;
 
 constexpr int signSide = 16;
+constexpr int ring = 2; // of the focus, around what scrolls
 constexpr int lineHeightPercent = 120;
 
 struct Sign {
@@ -52,8 +56,8 @@ QString htmlOf(const app::RaceStatement& statement, const Look& look)
 VerdictList::VerdictList(QWidget* parent) : QWidget(parent)
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
-                               space::labelToField);
+    column->setContentsMargins(space::dockMargin - ring, space::labelToField - ring,
+                               space::dockMargin - ring, space::labelToField - ring);
     column->setSpacing(6);
     column->addStretch();
 }
@@ -120,6 +124,43 @@ void VerdictList::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
         paint();
+}
+
+VerdictArea::VerdictArea(VerdictList* verdict)
+{
+    setAccessibleName(Text::tr("Verdict"));
+    setFrameShape(QFrame::NoFrame);
+    setWidget(verdict);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setViewportMargins(ring, ring, ring, ring);
+    // The table above gets its height first.
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+    setMinimumHeight(2 * verdict->lineHeight());
+    setFocusPolicy(Qt::NoFocus);
+    connect(verticalScrollBar(), &QScrollBar::rangeChanged, this,
+            [this](int, int most) { setFocusPolicy(most > 0 ? Qt::StrongFocus : Qt::NoFocus); });
+}
+
+/// The ring is around the viewport, so that it does not scroll.
+bool VerdictArea::event(QEvent* event)
+{
+    const bool handled = QScrollArea::event(event);
+    if (event->type() == QEvent::Paint && hasFocus())
+        paintFocusRing(*this);
+    return handled;
+}
+
+void VerdictArea::focusInEvent(QFocusEvent* event)
+{
+    QScrollArea::focusInEvent(event);
+    update();
+}
+
+void VerdictArea::focusOutEvent(QFocusEvent* event)
+{
+    QScrollArea::focusOutEvent(event);
+    update();
 }
 
 } // namespace ui

@@ -3,7 +3,7 @@
 
 #include "app/race/race_verdict.h"
 
-#include <QWidget>
+#include <QScrollArea>
 
 namespace ui {
 
@@ -36,6 +36,19 @@ private:
 
     std::vector<app::RaceStatement> statements_;
     std::vector<Paragraph> paragraphs_; ///< those without a statement are hidden
+};
+
+/// Scrolls a verdict where there is no room for it: with the keys, too.
+class VerdictArea : public QScrollArea {
+    Q_OBJECT
+
+public:
+    explicit VerdictArea(VerdictList* verdict);
+
+protected:
+    bool event(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 };
 
 } // namespace ui
