@@ -5,6 +5,7 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
+#include "ui/widgets/buttons.h"
 #include "ui/widgets/heading.h"
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/look_label.h"
@@ -36,7 +37,9 @@ app::Variant firstA()
 DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(session), a_(new VariantBox(Text::tr("A"))),
       b_(new VariantBox(Text::tr("B"))), ulps_(new QSpinBox), tick_(new IconSign("tick", 16)),
-      summary_(new LookLabel), explanation_(new LookLabel), table_(new DenseTable)
+      summary_(new LookLabel), explanation_(new LookLabel), position_(quietLabel({})),
+      previous_(iconButton("step-back", Text::tr("Previous difference (Shift+F4)"))),
+      next_(iconButton("step-on", Text::tr("Next difference (F4)"))), table_(new DenseTable)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
@@ -50,6 +53,8 @@ DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
     connect(&session.differences, &app::LiveDifferences::changed, &soon_,
             qOverload<>(&QTimer::start));
     connect(&session, &app::Session::displayChanged, &soon_, qOverload<>(&QTimer::start));
+    connect(&session, &app::Session::inspectedChanged, this, &DifferencePanel::paintPosition);
+    connect(&model_, &QAbstractItemModel::modelReset, this, &DifferencePanel::paintPosition);
     connect(&session.differences, &app::LiveDifferences::begun, this,
             &DifferencePanel::paintSummary);
     follow();
@@ -110,6 +115,11 @@ void DifferencePanel::addTable()
     found->setSpacing(6);
     found->addWidget(tick_, 0, Qt::AlignTop);
     found->addWidget(summary_, 1);
+    for (QWidget* part : {static_cast<QWidget*>(position_), static_cast<QWidget*>(previous_),
+                          static_cast<QWidget*>(next_)})
+        found->addWidget(part, 0, Qt::AlignTop);
+    connect(previous_, &QToolButton::clicked, this, [this] { go(-1); });
+    connect(next_, &QToolButton::clicked, this, [this] { go(1); });
     auto* margins = new QHBoxLayout;
     margins->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
     margins->addWidget(explanation_);
@@ -243,8 +253,21 @@ void DifferencePanel::paintSummary()
                         : good                       ? &Look::good
                                                      : &Look::differs;
     summary_->setColour(colour);
+    for (QToolButton* step : {previous_, next_})
+        step->setVisible(known && differ);
+    paintPosition();
     tick_->setVisible(known && (good || differ));
     tick_->show(good ? "tick" : "warning", colour);
+}
+
+/// In the order of the list, as it is sorted.
+void DifferencePanel::paintPosition()
+{
+    const int row = session_.inspected() ? model_.rowOf(*session_.inspected()) : -1;
+    position_->setText(row < 0 ? QString()
+                               : Text::tr("%1 of %2", "a difference, and how many there are")
+                                     .arg(app::countText(std::size_t(row) + 1),
+                                          app::countText(std::size_t(model_.rowCount()))));
 }
 
 void DifferencePanel::showRow(int row)

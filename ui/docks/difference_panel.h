@@ -5,8 +5,10 @@
 #include "ui/widgets/dense_table.h"
 #include "ui/widgets/look_label.h"
 
+#include <QLabel>
 #include <QSpinBox>
 #include <QTimer>
+#include <QToolButton>
 
 namespace ui {
 
@@ -23,6 +25,7 @@ public:
     explicit DifferencePanel(app::Session& session, QWidget* parent = nullptr);
 
     QString summary() const { return summary_->text(); }
+    QString position() const { return position_->text(); } ///< "3 of 2,108", of the chosen line
     /// Sets both variants.
     void compare(const app::Variant& a, const app::Variant& b);
     /// Moves by so many rows in the list of differences; wraps around at its ends.
@@ -50,6 +53,7 @@ private:
     void swap();
     void follow();
     void paintSummary();
+    void paintPosition();
     void fitColumns();
     void showRow(int row);
     void choose(int row);
@@ -60,6 +64,8 @@ private:
     QSpinBox* ulps_;
     IconSign* tick_;
     LookLabel *summary_, *explanation_;
+    QLabel* position_;
+    QToolButton *previous_, *next_;
     DenseTable* table_;
     /// The comparison whose texts the columns were fitted to.
     std::optional<std::pair<app::Comparison, app::Unit>> fittedTo_;

@@ -227,6 +227,33 @@ private slots:
         QCOMPARE(visited, (std::vector<std::size_t>{2, 5, 8, 2, 8, 5}));
     }
 
+    void theButtonsGoThroughTheDifferences()
+    {
+        Stage stage;
+        stage.show();
+        const auto button = [&](const QString& name) -> QToolButton* {
+            for (auto* one : stage.panel.findChildren<QToolButton*>())
+                if (one->accessibleName().startsWith(name))
+                    return one;
+            return nullptr;
+        };
+        QToolButton *next = button("Next difference"), *previous = button("Previous difference");
+        QVERIFY(next && next->isVisible() && previous && previous->isVisible());
+        QCOMPARE(stage.panel.position(), "");
+        for (const char* position : {"1 of 3", "2 of 3", "3 of 3", "1 of 3"}) {
+            QTest::mouseClick(next, Qt::LeftButton);
+            QCOMPARE(stage.panel.position(), position);
+        }
+        QTest::mouseClick(previous, Qt::LeftButton);
+        QCOMPARE(stage.panel.position(), "3 of 3");
+        QCOMPARE(stage.session.inspected(), std::optional<std::size_t>(8));
+        stage.session.inspect(std::nullopt);
+        QCOMPARE(stage.panel.position(), "");
+        stage.choose(stage.a, "CS  Cohen-Sutherland");
+        stage.settle();
+        QVERIFY(!next->isVisible() && !previous->isVisible());
+    }
+
     void anotherComparisonSelectsNothing()
     {
         Stage stage;
