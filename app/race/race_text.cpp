@@ -4,16 +4,19 @@
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
 #include "app/base/text.h"
-#include "app/experiment/ranking.h"
 #include "app/view/frame_times.h"
 
 namespace app {
-QString groupsText(std::span<const RaceRow> rows)
+Ranking rankingOf(std::span<const RaceRow> rows)
 {
     std::vector<std::vector<double>> runs;
     for (const RaceRow& row : rows)
         runs.emplace_back(row.times().begin(), row.times().end());
-    const Ranking ranking = rankingOf(runs);
+    return rankingOf(PairedRuns(runs));
+}
+
+QString groupsText(std::span<const RaceRow> rows, const Ranking& ranking)
+{
     if (!ranking.told)
         return Text::tr("Too few rounds: %3 algorithms need %2 rounds, but this race has %1.")
             .arg(ranking.rounds)

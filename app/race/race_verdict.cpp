@@ -4,7 +4,6 @@
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
 #include "app/base/text.h"
-#include "app/experiment/ranking.h"
 #include "app/race/race_text.h"
 #include "app/view/frame_times.h"
 
@@ -150,13 +149,8 @@ QStringList namesOf(const std::vector<std::size_t>& group, std::span<const RaceR
     return names;
 }
 
-void addTies(Statements& all, const RaceOutcome& outcome)
+void addTies(Statements& all, std::span<const RaceRow> rows, const Ranking& ranking)
 {
-    const auto rows = outcome.rows;
-    std::vector<std::vector<double>> runs;
-    for (const RaceRow& row : rows)
-        runs.emplace_back(row.times().begin(), row.times().end());
-    const Ranking ranking = rankingOf(runs);
     if (!ranking.told) {
         all.push_back({Kind::Ties, Text::tr("It is too early to rank the times."),
                        Text::tr("%1 of the %2 rounds that it takes are done.")
@@ -211,9 +205,10 @@ std::vector<RaceStatement> verdictOf(const RaceOutcome& outcome)
         addDifferences(all, outcome);
     }
     addLimits(all, outcome);
-    if (known && outcome.lines >= leastLinesToTime)
-        addTies(all, outcome);
-    else if (known)
+    const bool timed = outcome.lines >= leastLinesToTime;
+    if (known && timed && outcome.ranking)
+        addTies(all, outcome.rows, *outcome.ranking);
+    if (known && !timed)
         addUntimed(all, outcome.lines);
     return all;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/experiment/ranking.h"
 #include "app/race/race_lane.h"
 #include "app/scene/window_needs.h"
 
@@ -27,6 +28,7 @@ struct RaceOutcome {
     std::span<const RaceRow> rows;         ///< without times: nothing was measured
     std::size_t lines = 0;                 ///< of the drawing
     std::span<const NamedNeeds> windows{}; ///< all visible windows of the drawing
+    const Ranking* ranking = nullptr;      ///< of the rows' times; null: not known (yet)
     QString where{};                       ///< the window of the race, if there are others
 };
 

@@ -189,7 +189,6 @@ void ComparePanel::showNothingMeasured()
         label->clear();
         label->setToolTip({});
     }
-    verdict_->setToolTip({});
 }
 
 void ComparePanel::followRace()
@@ -208,7 +207,6 @@ void ComparePanel::showRace()
         return;
     const bool timed = race_.lines() >= app::leastLinesToTime;
     show(rows, race_.lines());
-    verdict_->setToolTip(timed ? app::groupsText(rows) : QString());
     field_->setText(app::fieldText(race_.lines()));
     field_->setToolTip(timed ? app::batchText(race_.variants()) : app::tooFewText(race_.lines()));
     state_->setText(!timed            ? QString()
@@ -224,10 +222,35 @@ void ComparePanel::show(std::span<const app::RaceRow> rows, std::size_t lines)
     place_->setText(app::placeText(where_, table_->content().lane()));
     place_->setVisible(!where_.isEmpty());
     page_->setVisible(where_.isEmpty());
-    verdict_->show(
-        app::verdictOf({.rows = rows, .lines = lines, .windows = windows_, .where = where_}));
+    judge(rows, lines);
     sort_->setEnabled(table_->content().timed());
     fitRows();
+}
+
+/// Ranking times takes too long for this thread; until that is done the last verdict stays.
+void ComparePanel::judge(std::span<const app::RaceRow> rows, std::size_t lines)
+{
+    ranking_.cancel();
+    if (lines < app::leastLinesToTime) {
+        verdict_->setToolTip({});
+        return verdict_->show(
+            app::verdictOf({.rows = rows, .lines = lines, .windows = windows_, .where = where_}));
+    }
+    ranking_.start(
+        [rows = std::vector(rows.begin(), rows.end()), lines, windows = windows_,
+         where = where_](const app::Follower&) {
+            const app::Ranking ranking = app::rankingOf(std::span(rows));
+            return Ranked{app::verdictOf({.rows = rows,
+                                          .lines = lines,
+                                          .windows = windows,
+                                          .ranking = &ranking,
+                                          .where = where}),
+                          app::groupsText(rows, ranking)};
+        },
+        [this](const Ranked& ranked) {
+            verdict_->show(ranked.statements);
+            verdict_->setToolTip(ranked.groups);
+        });
 }
 
 QString ComparePanel::groups() const { return verdict_->toolTip(); }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/background.h"
 #include "app/race/live_race.h"
+#include "app/race/race_verdict.h"
 #include "app/scene/window_needs.h"
 #include "app/session/session.h"
 
@@ -46,6 +48,7 @@ private:
     void followRace();
     void showRace();
     void showAgain();
+    void judge(std::span<const app::RaceRow> rows, std::size_t lines);
     void show(std::span<const app::RaceRow> rows, std::size_t lines);
     void followWindows();
     void showNothingMeasured();
@@ -64,6 +67,12 @@ private:
     VerdictArea* verdictArea_;
     std::vector<app::NamedNeeds> windows_{}; ///< as shown
     QString where_{};
+    /// A verdict that knows which times tie.
+    struct Ranked {
+        std::vector<app::RaceStatement> statements;
+        QString groups;
+    };
+    app::Background<Ranked> ranking_;
     QTimer pause_;         ///< until the numbers may change again
     bool waiting_ = false; ///< newer ones
 };

@@ -248,24 +248,27 @@ private slots:
             return app::RaceRow{.variant = {findAlgorithm(name), form},
                                 .milliseconds = std::vector<double>(10, ms)};
         };
+        const auto groups = [](std::span<const app::RaceRow> of) {
+            return app::groupsText(of, app::rankingOf(of));
+        };
         std::vector rows{row("cb", Form::Corrected, 9), row("lb", Form::Corrected, 2),
                          row("kwc", Form::Published, 2), row("cs", Form::Corrected, 1)};
-        QCOMPARE(app::groupsText(rows),
+        QCOMPARE(groups(rows),
                  "No significant difference of 1 % or more: LB and KWC as published");
         rows.push_back(row("nln", Form::Corrected, 1.005)); // slower in every round
         rows.push_back(row("md", Form::Corrected, 2));
-        QCOMPARE(app::groupsText(rows), "No significant difference of 1 % or more: CS and NLN; LB, "
+        QCOMPARE(groups(rows), "No significant difference of 1 % or more: CS and NLN; LB, "
                                         "KWC as published and MD");
-        QCOMPARE(app::groupsText(std::span(rows).first(2)), "");
+        QCOMPARE(groups(std::span(rows).first(2)), "");
         // Half of the rounds as LB, and half as MD: it differs from neither.
         rows = {row("lb", Form::Corrected, 2), row("nln", Form::Corrected, 3),
                 row("md", Form::Corrected, 4)};
         rows[1].milliseconds = {2, 2, 2, 2, 2, 4, 4, 4, 4, 4};
-        QCOMPARE(app::groupsText(rows),
+        QCOMPARE(groups(rows),
                  "No significant difference of 1 % or more: LB and NLN; NLN and MD");
         for (app::RaceRow& one : rows)
             one.milliseconds.resize(6);
-        QCOMPARE(app::groupsText(rows),
+        QCOMPARE(groups(rows),
                  "Too few rounds: 3 algorithms need 7 rounds, but this race has 6.");
     }
     void keepsOnePieceForEachLine()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/race/race_text.h"
 #include "app/race/race_verdict.h"
 
 #include <QTest>
@@ -16,8 +17,11 @@ namespace {
 
 constexpr std::size_t many = 5000;
 
-std::optional<app::RaceStatement> statement(const app::RaceOutcome& outcome, Kind kind)
+std::optional<app::RaceStatement> statement(app::RaceOutcome outcome, Kind kind)
 {
+    const bool timed = !outcome.rows.front().milliseconds.empty();
+    const app::Ranking ranking = timed ? app::rankingOf(outcome.rows) : app::Ranking{};
+    outcome.ranking = &ranking;
     for (const app::RaceStatement& one : app::verdictOf(outcome))
         if (one.kind == kind)
             return one;
@@ -145,8 +149,12 @@ private slots:
     {
         const std::vector rows{raceRow("ex", Corrected, 1), losing("kwc", Published, 3)};
         const std::vector<app::NamedNeeds> windows{{"Star 2", WindowNeeds::AnyArea}};
-        const auto all = app::verdictOf({.rows = rows, .lines = many, .windows = windows});
+        const app::Ranking ranking = app::rankingOf(std::span(rows));
+        const auto all =
+            app::verdictOf({.rows = rows, .lines = many, .windows = windows, .ranking = &ranking});
         QCOMPARE(all.size(), std::size_t(4));
+        QCOMPARE(app::verdictOf({.rows = rows, .lines = many, .windows = windows}).size(),
+                 std::size_t(3)); // which times tie is known later
         QVERIFY(std::ranges::is_sorted(all, std::less(), &app::RaceStatement::kind));
         for (const app::RaceStatement& one : all)
             QVERIFY2(one.first.endsWith(u'.'), qPrintable(one.first));
