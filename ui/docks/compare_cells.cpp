@@ -3,6 +3,7 @@
 
 #include "app/base/text.h"
 #include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
 
@@ -14,6 +15,7 @@ namespace ui {
 namespace {
 
 constexpr int markerSide = 12, markerRoom = 20, leastFullName = 60;
+constexpr int tickSide = 14;
 constexpr int laneMarker = 11; // side, in logical pixels
 constexpr double together = 5; // nearer markers hide each other: the filled one is in front
 
@@ -119,8 +121,15 @@ void CompareCells::paintNumber(QPainter& painter, const QStyleOptionViewItem& op
                    : quiet                        ? look.muted
                    : column == CompareModel::Here ? look.good
                                                   : look.text);
-    drawTabular(painter, option.rect.adjusted(0, 0, -DenseTable::gap, 0),
-                Qt::AlignRight | Qt::AlignVCenter, index.data().toString());
+    const QString text = index.data().toString();
+    const QRect place = option.rect.adjusted(0, 0, -DenseTable::gap, 0);
+    drawTabular(painter, place, Qt::AlignRight | Qt::AlignVCenter, text);
+    if (column != CompareModel::Here || limited)
+        return;
+    const int left = place.right() - tabularWidth(painter.fontMetrics(), text) - tickSide - 2;
+    const QRect tick(left, place.center().y() - tickSide / 2, tickSide, tickSide);
+    painter.drawPixmap(
+        tick, tinted(icon("tick"), tick.size(), painter.device()->devicePixelRatioF(), look.good));
 }
 
 } // namespace ui
