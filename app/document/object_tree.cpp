@@ -2,6 +2,7 @@
 #include "app/document/object_tree.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -80,62 +81,61 @@ void ObjectTree::setOpen(ContainerId id, bool open)
 
 void ObjectTree::showMore(ContainerId id) { most_[id] = most(id) + atFirst; }
 
-void ObjectTree::conceal()
+bool ObjectTree::conceal()
 {
     for (const ContainerId id : opened_)
         open_.erase(id);
-    opened_.clear();
+    return !std::exchange(opened_, {}).empty();
 }
 
-void ObjectTree::openAround(const Containers& containers, ContainerId id)
+bool ObjectTree::revealObject(const Containers& containers, std::size_t object)
 {
-    for (; id != 0; id = containers.parentOf(id))
+    return reveal(containers, containers.containerOf(object), object);
+}
+
+bool ObjectTree::revealGroup(const Containers& containers, ContainerId group)
+{
+    return reveal(containers, containers.parentOf(group), containers.rangeOf(group).first);
+}
+
+bool ObjectTree::reveal(const Containers& containers, ContainerId around, std::size_t object)
+{
+    const auto before = open_;
+    conceal();
+    std::vector<ContainerId> inward;
+    for (ContainerId id = around; id != 0; id = containers.parentOf(id))
+        inward.insert(inward.begin(), id);
+    for (const ContainerId id : inward) {
+        if (!shows(containers, id, object))
+            break;
         if (open_.insert(id).second)
             opened_.insert(id);
+    }
+    return open_ != before;
 }
 
-void ObjectTree::revealObject(const Containers& containers, std::size_t object)
+/// Whether it has a row for the child that is, or contains, the object while it is open. Looks only
+/// at the children that have rows: there may be 100,000.
+bool ObjectTree::shows(const Containers& containers, ContainerId id, std::size_t object) const
 {
-    conceal();
-    ContainerId id = containers.containerOf(object);
-    openAround(containers, id);
-    for (; id != 0; id = containers.parentOf(id))
-        showUpTo(containers, id, object);
-}
-
-void ObjectTree::revealGroup(const Containers& containers, ContainerId group)
-{
-    conceal();
-    const ObjectRange range = containers.rangeOf(group);
-    ContainerId id = containers.parentOf(group);
-    openAround(containers, id);
-    for (; id != 0; id = containers.parentOf(id))
-        showUpTo(containers, id, range.first);
-}
-
-/// Until the child that is, or contains, the object has a row.
-void ObjectTree::showUpTo(const Containers& containers, ContainerId id, std::size_t object)
-{
-    std::size_t before = 0;
-    bool found = false;
-    forEachChild(
-        containers, id,
-        [&](std::size_t first, std::size_t end) {
-            if (found)
-                return;
-            found = first <= object && object < end;
-            before += found ? end - 1 - object : end - first;
-        },
-        [&](ContainerId child) {
-            if (found)
-                return;
-            const ObjectRange range = containers.rangeOf(child);
-            found = range.first <= object && object < range.end;
-            if (!found && containers[child].kind == Container::Kind::Group)
-                ++before;
-        });
-    while (most(id) <= before)
-        showMore(id);
+    std::size_t end = containers.rangeOf(id).end;
+    for (std::size_t before = 0; before < most(id);) {
+        if (object == end - 1)
+            return true;
+        ContainerId child = containers.containerOf(end - 1);
+        if (child == id) { // the object lies directly in it
+            --end;
+            ++before;
+            continue;
+        }
+        while (containers.parentOf(child) != id)
+            child = containers.parentOf(child);
+        end = containers.rangeOf(child).first;
+        if (object >= end)
+            return true;
+        before += containers[child].kind == Container::Kind::Group;
+    }
+    return false;
 }
 
 void ObjectTree::forgetGone(const Containers& containers)

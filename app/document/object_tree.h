@@ -29,14 +29,16 @@ public:
     std::vector<TreeRow> rows(const Containers& containers) const;
 
     bool isOpen(ContainerId id) const { return open_.contains(id); }
+    bool isAnyOpen() const { return !open_.empty(); }
     void setOpen(ContainerId id, bool open);
     void showMore(ContainerId id); ///< as many again of its groups and objects
 
-    /// Opens what is around an object, or around a group and the group's parents, and shows so
-    /// many that its row is there; closes what was opened for the one before.
-    void revealObject(const Containers& containers, std::size_t object);
-    void revealGroup(const Containers& containers, ContainerId group);
-    void conceal();                  ///< closes what was opened for the last one
+    /// Opens what is around an object, or around a group, and closes what was opened for the one
+    /// before. It ends at the first layer or group of which only others are shown: a list of
+    /// thousands would hide the layers. Returns whether anything was opened or closed.
+    bool revealObject(const Containers& containers, std::size_t object);
+    bool revealGroup(const Containers& containers, ContainerId group);
+    bool conceal();                  ///< closes what was opened for the last one
     void keep() { opened_.clear(); } ///< or leaves it open
     void forgetGone(const Containers& containers);
 
@@ -44,8 +46,8 @@ private:
     void append(std::vector<TreeRow>& rows, const Containers& containers, ContainerId id,
                 int depth) const;
     std::size_t most(ContainerId id) const;
-    void openAround(const Containers& containers, ContainerId id);
-    void showUpTo(const Containers& containers, ContainerId id, std::size_t object);
+    bool reveal(const Containers& containers, ContainerId around, std::size_t object);
+    bool shows(const Containers& containers, ContainerId id, std::size_t object) const;
 
     std::set<ContainerId> open_, opened_;       ///< opened_: for what was revealed last
     std::map<ContainerId, std::size_t> most_{}; ///< where more than at first are shown

@@ -197,22 +197,25 @@ QModelIndex LayerModel::revealSelection()
     const app::ContainerId group =
         selection.empty() ? 0 : app::groupAt(session_, selection.first());
     const bool isGroup = group != 0 && selection == app::ObjectRanges(containers.rangeOf(group));
-    if (isGroup)
-        tree_.revealGroup(containers, group);
-    else if (selection.size() == 1)
-        tree_.revealObject(containers, selection.first());
-    else
-        tree_.conceal();
-    showRows();
-    tellChanged({OpenRole});
-    if (isGroup)
-        return indexOf(group);
-    if (selection.size() != 1)
+    const bool changed = isGroup                 ? tree_.revealGroup(containers, group)
+                         : selection.size() == 1 ? tree_.revealObject(containers, selection.first())
+                                                 : tree_.conceal();
+    if (changed) {
+        showRows();
+        tellChanged({OpenRole});
+    }
+    if (!isGroup && selection.size() != 1)
         return {};
     const auto found = std::ranges::find_if(rows_, [&](const app::TreeRow& row) {
-        return row.kind == Kind::Object && row.number == selection.first();
+        return isGroup ? row.kind == Kind::Group && row.container == group
+                       : row.kind == Kind::Object && row.number == selection.first();
     });
-    return index(int(found - rows_.begin()));
+    if (found != rows_.end())
+        return index(int(found - rows_.begin()));
+    app::ContainerId around = containers.containerOf(selection.first());
+    while (around != 0 && !indexOf(around).isValid())
+        around = containers.parentOf(around);
+    return indexOf(around);
 }
 
 /// Rows at the beginning and at the end that stay the same keep what views know of them.
@@ -310,8 +313,10 @@ void LayerModel::follow(const app::DocumentChange& change)
     }
     if (!change.containers && !change.objects)
         return;
-    tree_.forgetGone(session_.now().containers());
-    showRows(); // no reset, because it would close an editor that is open on a name
+    if (change.containers || tree_.isAnyOpen()) {
+        tree_.forgetGone(session_.now().containers());
+        showRows(); // no reset, because it would close an editor that is open on a name
+    }
     tellChanged();
 }
 

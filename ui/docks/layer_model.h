@@ -32,7 +32,8 @@ public:
     app::ContainerId layerOf(const QModelIndex& index) const;     ///< 0: the row is no layer
     app::ContainerId layerAround(const QModelIndex& index) const; ///< the layer of any row
     QModelIndex indexOf(app::ContainerId layerOrGroup) const;
-    /// The row of the selection, if that is one object or one group; its parents are open then.
+    /// Opens what is around the selection, if that is one object or one group. Its row, or the row
+    /// of the innermost layer or group around it that is shown.
     QModelIndex revealSelection();
     /// What was opened for that stays open: the person works in it.
     void keepOpen() { tree_.keep(); }
