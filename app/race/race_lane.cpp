@@ -23,7 +23,8 @@ constexpr std::array units{TimeUnit{QT_TRANSLATE_NOOP("Text", "s"), 1e3},
                            TimeUnit{QT_TRANSLATE_NOOP("Text", "µs"), 1e-3},
                            TimeUnit{QT_TRANSLATE_NOOP("Text", "ns"), 1e-6}};
 constexpr double nearly = 1 - 1e-9; // powers of ten may be off by rounding
-constexpr double almostAll = 0.9;   // of a shorter lane: it would soon be too short again
+constexpr double almostAll = 0.9;
+constexpr double justMore = 1.001; // to the next scale   // of a shorter lane: it would soon be too short again
 
 const TimeUnit& unitOf(double most)
 {
@@ -87,7 +88,9 @@ RaceLane laneOf(std::span<const RacePair> pairs, const RaceLane& before)
     if (longest <= 0)
         return {};
     const double most = roundedUp(longest);
-    return most < before.most && longest > almostAll * most ? before : RaceLane{most};
+    // Only the next longer scale: a longer one is of an outlier, or of another place.
+    const bool isNext = most < before.most && roundedUp(most * justMore) == before.most;
+    return isNext && longest > almostAll * most ? before : RaceLane{most};
 }
 
 } // namespace app

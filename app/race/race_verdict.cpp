@@ -78,7 +78,7 @@ void addDifferences(Statements& all, const RaceOutcome& outcome)
         if (told.size() < mostTold)
             told << sentence(row->variant, exactVariant(), row->differences, outcome.lines) + u'.';
     if (const std::size_t more = differing.size() - std::size_t(told.size()))
-        told << counted(more, Text::tr("1 other form differs on fewer lines."),
+        told << counted(more, Text::tr("1 other form differs on no more lines."),
                         Text::tr("%1 other forms differ on no more lines."));
     const QString first = told.takeFirst();
     all.push_back({Kind::Differences, first, told.join(u' '), differing.front()->variant});

@@ -101,6 +101,9 @@ private slots:
         QCOMPARE(after(0.19, {0.5}), 0.5);
         QCOMPARE(after(0.17, {0.5}), 0.2);
         QCOMPARE(after(0.21, {1}), 0.5);
+        QCOMPARE(after(0.95, {1000}), 1.); // whatever was measured before
+        QCOMPARE(after(0.19, {20}), 0.2);
+        QCOMPARE(after(0.95, {2}), 2.);
         QCOMPARE(after(0, {0.5}), 0.);
     }
     void longNamesHaveABriefForm()

@@ -82,6 +82,11 @@ private slots:
         QVERIFY(said->rest.endsWith("CB as published loses 3 lines that exact keeps. 2 other forms "
                                     "differ on no more lines."));
         QCOMPARE(said->rest.count("loses"), 2);
+        // Also of as many lines.
+        const std::vector alike{losing("cs", Published, 7), losing("lb", Published, 7),
+                                losing("cb", Published, 7), losing("md", Published, 7)};
+        QVERIFY(statement({.rows = alike, .lines = many}, Kind::Differences)
+                    ->rest.endsWith("1 other form differs on no more lines."));
     }
     void algorithmsThatCannotClipAWindowLoseNothingThere()
     {
