@@ -109,6 +109,7 @@ private:
     /// Asks for the plan again if the document was changed meanwhile.
     void cutNow(const std::function<Cutting()>& plan, const Turn& turn);
     void showAreas(const app::Cut& cut);
+    void tellCut(const QString& done);
     void showCut(app::Cut cut, const app::PermanentCut& kind);
     void noteRecent();
     QString folder() const;

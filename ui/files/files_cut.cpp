@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/outline_strokes.h"
 #include "app/comparison/cut_text.h"
 #include "app/cut/stroke_area.h"
 #include "app/formats/export_cut.h"
+#include "app/scene/window_needs.h"
 #include "app/session/arrange_selection.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
@@ -45,8 +47,7 @@ void Files::exportCut()
                 if (cut.end == app::CutExport::End::Failed)
                     emit told({Message::Kind::Warning, cut.error});
                 else if (cut.end == app::CutExport::End::Written)
-                    emit told({Message::Kind::Done,
-                               Text::tr("Exported %1: %2").arg(name, app::cutText(cut.counts))});
+                    tellCut(Text::tr("Exported %1: %2").arg(name, app::cutText(cut.counts)));
             },
             InBackground::Cancel::Stops);
     });
@@ -119,7 +120,21 @@ void Files::showCut(app::Cut cut, const app::PermanentCut& kind)
                                                      : u'.' + leftAlone)});
     }
     session_.history.push(command.release());
-    emit told({Message::Kind::Done, Text::tr(kind.done).arg(app::cutText(counts))});
+    tellCut(Text::tr(kind.done).arg(app::cutText(counts)));
+}
+
+/// A form that is known to lose lines was perhaps left over from a comparison.
+void Files::tellCut(const QString& done)
+{
+    const app::Variant used = app::usedAt(session_.region(), session_.variant());
+    if (used.form != clipping::Form::Published)
+        return emit told({Message::Kind::Done, done});
+    const QString name = app::latin(used.algorithm->abbreviation);
+    emit told({Message::Kind::Warning,
+               done + u' '
+                   + Text::tr("It was cut by %1 as published, with the faults of that form. Exact "
+                              "(0) has none.")
+                         .arg(name)});
 }
 
 void Files::showAreas(const app::Cut& cut)

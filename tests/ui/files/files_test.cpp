@@ -59,6 +59,24 @@ private slots:
         QVERIFY(cut);
         QVERIFY(cut.value->document.styles().size() > 30); // made by the cut
     }
+    // It was perhaps left over from a comparison.
+    void aPublishedFormIsNamedAfterTheCut()
+    {
+        TestWindow t;
+        app::Session& session = t.window->session();
+        session.load({dashedLines(), {}});
+        setWindow(session, {{10, 5}, {40, 45}});
+        for (const auto form : {clipping::Form::Published, clipping::Form::Corrected}) {
+            session.changeDisplay([form](app::Display& display) {
+                display.variant = {clipping::findAlgorithm("kwc"), form};
+            });
+            t.answers->save = t.path("out.svg");
+            t.run("export");
+            QVERIFY2(t.window->message().contains("Exported"), qPrintable(t.window->message()));
+            QCOMPARE(t.window->message().contains("KWC as published"),
+                     form == clipping::Form::Published);
+        }
+    }
 };
 
 } // namespace files_files_test
