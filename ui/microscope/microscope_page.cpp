@@ -30,7 +30,7 @@ namespace ui {
 namespace {
 
 constexpr int rightWidth = 428, narrowRight = 300, wide = 1200; // pixels
-constexpr QSize overviewSize(172, 130), smallOverview(116, 88);
+constexpr QSize overviewSize(172, 130), smallOverview(116, 88), leastForOverview(400, 260);
 
 QWidget* underHeading(Heading* heading, QWidget* body)
 {
@@ -222,14 +222,22 @@ void MicroscopePage::showPlace()
     if (!at.isEmpty())
         lines << at;
     place_->setText(lines.join(u'\n'));
-    overview_->setVisible(drawn_.line().has_value());
+    overview_->setVisible(drawn_.line().has_value() && hasRoomForOverview());
     back_->setVisible(drawn_.changed());
     placeOverview();
+}
+
+/// In a small view it would hide the line.
+bool MicroscopePage::hasRoomForOverview() const
+{
+    return view_->width() >= leastForOverview.width()
+           && view_->height() >= leastForOverview.height();
 }
 
 /// Places the widgets over the view in the corner where they hide least.
 void MicroscopePage::placeOverview()
 {
+    overview_->setVisible(drawn_.line().has_value() && hasRoomForOverview());
     const bool small = view_->width() < 560 || view_->height() < 360;
     const QSize size = overview_->isHidden() ? QSize(0, 0) : small ? smallOverview : overviewSize;
     fit_->setVisible(!view_->fitted());

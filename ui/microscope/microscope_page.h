@@ -57,6 +57,7 @@ private:
     void showStep();
     void showPlace();
     void placeOverview();
+    bool hasRoomForOverview() const;
     QRect cornerFor(const QSize& size);
     void share();
 
