@@ -15,6 +15,8 @@ namespace ui {
 
 namespace {
 
+constexpr int leastNumberRoom = 54; // pixels
+
 QLabel* labelled(const QString& text, LengthField& field)
 {
     auto* label = new QLabel(text);
@@ -36,10 +38,6 @@ WindowFields::WindowFields(app::Session& session)
                new LengthField(Text::tr("Width"), Range::NotNegative, none),
                new LengthField(Text::tr("Height"), Range::NotNegative, none),
                new LengthField(Text::tr("Angle"), Range::Any, none)};
-    const QStringList labels{Text::tr("X"), Text::tr("Y"), Text::tr("W"), Text::tr("H")};
-    auto* grid = new QGridLayout(this);
-    grid->setHorizontalSpacing(space::labelToField);
-    grid->setVerticalSpacing(6);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         connect(fields_[i], &LengthField::edited, this,
                 [this, i](double number, app::Merging merging) {
@@ -49,45 +47,49 @@ WindowFields::WindowFields(app::Session& session)
         connect(fields_[i], &LengthField::entered, this, &WindowFields::entered);
         connect(fields_[i], &LengthField::refused, this, &WindowFields::refused);
         connect(fields_[i], &LengthField::taken, this, &WindowFields::taken);
-        fields_[i]->setMinimumWidth(72);
-        if (app::WindowValue(i) == Angle)
-            continue; // in a row of its own
-        const int row = int(i % 2), column = app::WindowValue(i) < Width ? 0 : 2;
-        grid->addWidget(labelled(labels[qsizetype(i)], *fields_[i]), row, column);
-        grid->addWidget(fields_[i], row, column + 1);
+        fields_[i]->setMinimumWidth(leastNumberRoom);
     }
     field(Angle).setToolTip(Text::tr("Degrees, counterclockwise; a shape other than a rectangle is "
                                      "rotated by them"));
     connect(unit_, &UnitBox::done, this, &WindowFields::entered);
     chain_->setObjectName(QStringLiteral("keep-ratio"));
-    grid->addWidget(unit_, 0, 4);
-    grid->addWidget(chain_, 1, 4, Qt::AlignLeft);
-    grid->setColumnStretch(1, 1);
-    grid->setColumnStretch(3, 1);
-    grid->setContentsMargins(space::dockMargin, 6, space::dockMargin, space::dockMargin);
+    addRows();
     connect(&session, &app::Session::previewChanged, this, &WindowFields::follow);
     connect(&session, &app::Session::displayChanged, this, &WindowFields::follow);
     follow();
 }
 
-QWidget* WindowFields::makeAngle()
+/// X, Y and angle; below, width and height with the unit. By Tab the lengths come first.
+void WindowFields::addRows()
 {
-    LengthField& field = this->field(app::WindowValue::Angle);
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(space::labelToField);
-    row->addWidget(labelled(Text::tr("∠"), field));
-    row->addWidget(&field);
-    auto* angle = new QWidget;
-    angle->setLayout(row);
-    return angle;
-}
-
-void WindowFields::putAfter(QWidget* before)
-{
+    struct Place {
+        app::WindowValue value;
+        const char* label;
+    };
     using enum app::WindowValue;
-    for (QWidget* next : std::initializer_list<QWidget*>{&field(X), &field(Y), &field(Width),
-                                                         &field(Height), unit_, chain_}) {
+    constexpr std::array places{Place{X, "X"}, Place{Y, "Y"}, Place{Width, "W"}, Place{Height, "H"},
+                                Place{Angle, "∠"}};
+    auto* grid = new QGridLayout(this);
+    grid->setHorizontalSpacing(space::labelToField);
+    grid->setVerticalSpacing(6);
+    for (const auto& [value, label] : places) {
+        const bool isSide = value == Width || value == Height;
+        const int column = value == Angle ? 4 : value == Y || value == Height ? 2 : 0;
+        grid->addWidget(labelled(QString::fromUtf8(label), field(value)), isSide, column);
+        grid->addWidget(&field(value), isSide, column + 1);
+    }
+    auto* end = new QHBoxLayout;
+    end->setSpacing(space::labelToField);
+    end->addWidget(unit_);
+    end->addWidget(chain_);
+    end->addStretch();
+    grid->addLayout(end, 1, 4, 1, 2);
+    for (const int column : {1, 3, 5})
+        grid->setColumnStretch(column, 1);
+    grid->setContentsMargins(space::dockMargin, 6, space::dockMargin, space::dockMargin);
+    QWidget* before = &field(X);
+    for (QWidget* next : std::initializer_list<QWidget*>{&field(Y), &field(Width), &field(Height),
+                                                         unit_, chain_, &field(Angle)}) {
         setTabOrder(before, next);
         before = next;
     }

@@ -22,10 +22,6 @@ public:
     explicit WindowFields(app::Session& session);
 
     void startTyping(); ///< at X
-    /// By Tab they follow each other and this widget.
-    void putAfter(QWidget* before);
-    /// The angle's field with its label, for another row.
-    QWidget* makeAngle();
 
 signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas
@@ -33,6 +29,7 @@ signals:
     void taken();                          ///< a field's value is valid again
 
 private:
+    void addRows();
     void follow();
     LengthField& field(app::WindowValue which) { return *fields_[std::size_t(which)]; }
 

@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 
 #include <algorithm>
@@ -50,6 +51,7 @@ public:
         editor->setGeometry(nameBox(option.rect));
     }
     static bool isOnEye(const QRect& row, const QPoint& at) { return hits(eye(row), at); }
+    static bool isOnSign(const QRect& row, const QPoint& at) { return operation(row).contains(at); }
 
 private:
     static QRect operation(const QRect& row)
@@ -87,7 +89,7 @@ WindowList::WindowList(app::Session& session) : session_(session)
     setMouseTracking(true);
     setEditTriggers(DoubleClicked);
     viewport()->setAutoFillBackground(false);
-    constexpr int rows = 2; // without scrolling: four panels must fit into 800 pixels
+    constexpr int rows = 3; // without scrolling: four panels must fit into 800 pixels
     setFixedHeight(rows * space::rowHeight);
     connect(selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& current) {
@@ -196,11 +198,37 @@ void WindowList::mouseReleaseEvent(QMouseEvent* event)
     }
     const bool drags = gap_.has_value();
     drop();
-    pressed_.reset();
-    if (drags)
+    const auto pressed = std::exchange(pressed_, std::nullopt);
+    if (drags) {
         setState(NoState); // the base class would take it for a click, on the eye perhaps
-    else
-        PanelList::mouseReleaseEvent(event);
+        return;
+    }
+    PanelList::mouseReleaseEvent(event);
+    const QModelIndex row = indexAt(event->pos());
+    if (pressed && row.row() == pressed->row
+        && WindowPainter::isOnSign(visualRect(row), event->pos()))
+        openOperations(row);
+}
+
+void WindowList::openOperations(const QModelIndex& row)
+{
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("window-operations"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const int now = row.data(WindowModel::OperationRole).toInt();
+    for (const app::WindowOperationInfo& each : app::windowOperations()) {
+        const int operation = int(menu->actions().size());
+        QAction* action =
+            menu->addAction(icon(each.icon), each.name + QLatin1Char('\t') + each.letter,
+                            [this, operation, index = QPersistentModelIndex(row)] {
+                                if (index.isValid())
+                                    app::setWindowOperation(session_, std::size_t(index.row()),
+                                                            app::WindowOperation(operation));
+                            });
+        action->setCheckable(true);
+        action->setChecked(operation == now);
+    }
+    menu->popup(viewport()->mapToGlobal(visualRect(row).bottomLeft()));
 }
 
 int WindowList::gapAt(int y) const

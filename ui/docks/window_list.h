@@ -7,7 +7,8 @@
 namespace ui {
 
 /// The list of clip windows: eye, what the window does, shape, name. The current row is the window
-/// that tools act on. Rows are dragged to another place of the list.
+/// that tools act on. Rows are dragged to another place of the list. A click on the sign of what a
+/// window does opens the choice.
 class WindowList : public PanelList {
     Q_OBJECT
 
@@ -26,6 +27,7 @@ private:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     bool pressesEye(const QMouseEvent& event);
+    void openOperations(const QModelIndex& row);
     int gapAt(int y) const; ///< the gap between rows that is nearest: 0 is above the first row
     void drop();
 

@@ -3,7 +3,6 @@
 
 #include "app/document/styles_in_use.h"
 #include "app/session/recent_colours.h"
-#include "app/session/window_operations.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "app/view/colour_chart.h"
@@ -18,7 +17,6 @@
 #include "ui/widgets/look_label.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/swatch.h"
-#include "ui/widgets/tool_list.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -28,14 +26,13 @@ namespace ui {
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), list_(new WindowList(session)),
       keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
-      result_(new ElidedLabel), operation_(new ToolList),
+      result_(new ElidedLabel),
       colour_(iconButton("plus", Text::tr("Colour of the clip window on the screen"))),
       colours_(new ColourPopup(this)), fields_(new WindowFields(session)),
       tiles_(new QToolButton(this)), pages_(new QStackedLayout(this))
 {
     pages_->addWidget(makeList());
     pages_->addWidget(makeOffer());
-    fields_->putAfter(operation_); // now: Qt moves nothing behind the last widget of a window
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     connect(fields_, &WindowFields::entered, this, &WindowPanel::entered);
     connect(fields_, &WindowFields::refused, this, &WindowPanel::refused);
@@ -70,13 +67,11 @@ void WindowPanel::setTiles(QAction& tiles)
 QWidget* WindowPanel::makeList()
 {
     auto* page = new QWidget;
-    fields_->setParent(page); // X is the first field, before the angle
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 4, 0, 0);
     column->setSpacing(0);
     column->addWidget(makeKeep());
     column->addWidget(list_);
-    column->addWidget(makeTools());
     column->addWidget(fields_);
     return page;
 }
@@ -93,17 +88,18 @@ QWidget* WindowPanel::makeKeep()
     auto* caption = new QLabel(Text::tr("Keep"));
     caption->setForegroundRole(QPalette::PlaceholderText);
     auto* row = new QHBoxLayout;
-    row->setContentsMargins(space::dockMargin, 0, space::dockMargin, 4);
+    row->setContentsMargins(space::dockMargin, 0, space::dockMargin - 4, 4);
     row->setSpacing(space::labelToField);
     row->addWidget(caption);
     row->addWidget(keep_);
     row->addWidget(result_, 1);
+    addTools(*row);
     auto* side = new QWidget;
     side->setLayout(row);
     return side;
 }
 
-QWidget* WindowPanel::makeTools()
+void WindowPanel::addTools(QHBoxLayout& row)
 {
     QToolButton* add = makeAdd();
     add->setObjectName(QStringLiteral("add-window"));
@@ -113,26 +109,8 @@ QWidget* WindowPanel::makeTools()
     colours_->hideEyedropper();
     connect(colour_, &QToolButton::clicked, this, &WindowPanel::openColours);
     connect(colours_, &ColourPopup::picked, this, &WindowPanel::setColour);
-    for (const app::WindowOperationInfo& each : app::windowOperations())
-        operation_->addItem(each.name);
-    operation_->setAccessibleName(Text::tr("Operation"));
-    operation_->setToolTip(Text::tr("What the window does with those above it"));
-    connect(operation_, &ToolList::done, this, &WindowPanel::entered);
-    connect(operation_, &QComboBox::activated, this, [this](int operation) {
-        if (const auto number = session_.windowNumber())
-            app::setWindowOperation(session_, *number, app::WindowOperation(operation));
-    });
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(space::dockMargin - 4, 2, space::dockMargin, 2);
     for (QToolButton* button : {add, remove, colour_})
-        row->addWidget(button);
-    row->addStretch();
-    row->addWidget(fields_->makeAngle());
-    row->addSpacing(space::labelToField);
-    row->addWidget(operation_);
-    auto* tools = new QWidget;
-    tools->setLayout(row);
-    return tools;
+        row.addWidget(button);
 }
 
 QToolButton* WindowPanel::makeAdd()
@@ -183,10 +161,8 @@ void WindowPanel::follow()
     pages_->setCurrentIndex(session_.windows().list.empty() ? 1 : 0);
     keep_->choose(int(session_.windows().keep));
     const auto number = session_.windowNumber();
-    operation_->setEnabled(number.has_value());
     colour_->setEnabled(number.has_value());
     const app::ClipWindow shown = number ? session_.windows().list[*number] : app::ClipWindow{};
-    operation_->setCurrentIndex(int(shown.operation));
     colour_->setIcon(windowSwatchIcon(shown.colour));
     result_->setWhole(app::resultOf(session_.windows()));
     result_->setToolTip(Text::tr("What the windows make together: %1").arg(result_->whole()));

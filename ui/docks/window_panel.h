@@ -8,12 +8,13 @@
 
 class QMenu;
 
+class QHBoxLayout;
+
 namespace ui {
 
 class ColourPopup;
 class ElidedLabel;
 class Segments;
-class ToolList;
 class WindowFields;
 class WindowList;
 
@@ -39,7 +40,7 @@ signals:
 private:
     QWidget* makeList();
     QWidget* makeKeep();
-    QWidget* makeTools();
+    void addTools(QHBoxLayout& row);
     QWidget* makeOffer(); ///< shown if there is no clip window
     QToolButton* makeAdd();
     QMenu* makeAddMenu();
@@ -51,7 +52,6 @@ private:
     WindowList* list_;
     Segments* keep_;
     ElidedLabel* result_; ///< of all windows: "Old town − Market hall + Star"
-    ToolList* operation_;
     QToolButton* colour_;
     ColourPopup* colours_;
     WindowFields* fields_;

@@ -218,6 +218,18 @@ private slots:
         w.clickRow(0, 16); // the eye
         QVERIFY(says("everything − Dome"));
     }
+    void aClickOnTheSignChoosesWhatAWindowDoes()
+    {
+        Windows w;
+        w.clickRow(1, 40); // the sign
+        auto* menu = w.t.window->findChild<QMenu*>("window-operations");
+        QVERIFY(menu && menu->isVisible());
+        QVERIFY(menu->actions()[1]->isChecked()); // "Dome" cuts out
+        QTest::mouseClick(menu, Qt::LeftButton, {},
+                          menu->actionGeometry(menu->actions()[2]).center());
+        QCOMPARE(w.window(1).operation, app::WindowOperation::Intersect);
+        QCOMPARE(w.session.history.undoText(), QStringLiteral("Intersect with Dome"));
+    }
     void aWindowGetsAColour()
     {
         Windows w;
