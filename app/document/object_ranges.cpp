@@ -17,6 +17,20 @@ bool ObjectRanges::contains(std::size_t object) const
     return at != ranges_.end() && at->first <= object;
 }
 
+bool ObjectRanges::contains(const ObjectRange& range) const
+{
+    if (range.empty())
+        return true;
+    const auto at = std::ranges::upper_bound(ranges_, range.first, {}, &ObjectRange::end);
+    return at != ranges_.end() && at->first <= range.first && range.end <= at->end;
+}
+
+bool ObjectRanges::intersects(const ObjectRange& range) const
+{
+    const auto at = std::ranges::upper_bound(ranges_, range.first, {}, &ObjectRange::end);
+    return !range.empty() && at != ranges_.end() && at->first < range.end;
+}
+
 bool ObjectRanges::insert(std::size_t object)
 {
     const std::size_t before = size_;

@@ -32,6 +32,8 @@ public:
     bool empty() const { return ranges_.empty(); }
     std::size_t size() const { return size_; } ///< the number of objects
     bool contains(std::size_t object) const;
+    bool contains(const ObjectRange& range) const;   ///< all of it; an empty one: true
+    bool intersects(const ObjectRange& range) const; ///< some of it
     std::size_t first() const { return ranges_.front().first; } ///< undefined if empty
     std::size_t last() const { return ranges_.back().end - 1; } ///< undefined if empty
 

@@ -6,62 +6,81 @@
 
 namespace app {
 
-/// Visits the direct children of a container from above: `object(first, end)` for runs of objects,
-/// `container(id)` for containers.
-template <class OnObjects, class OnContainer>
-static void forEachChild(const Containers& containers, ContainerId id, const OnObjects& objects,
-                         const OnContainer& container)
+namespace {
+
+/// The layers directly in each container, from above. Goes through the containers by their ids:
+/// there may be 100,000 groups.
+std::map<ContainerId, std::vector<ContainerId>> layersIn(const Containers& containers)
 {
-    const ObjectRange all = id == 0 ? ObjectRange{0, containers.objects()} : containers.rangeOf(id);
-    std::size_t end = all.end;
-    const std::vector<ContainerId> children = containers.childrenOf(id);
-    for (auto child = children.rbegin(); child != children.rend(); ++child) {
-        const ObjectRange range = containers.rangeOf(*child);
-        if (range.end < end)
-            objects(range.end, end);
-        container(*child);
-        end = range.first;
-    }
-    if (all.first < end)
-        objects(all.first, end);
+    std::map<ContainerId, std::vector<ContainerId>> layers;
+    for (ContainerId id = 1; id < containers.nextId(); ++id)
+        if (containers.contains(id) && containers[id].kind == Container::Kind::Layer)
+            layers[containers.parentOf(id)].push_back(id);
+    for (auto& [around, inner] : layers)
+        std::ranges::sort(
+            inner, [&](ContainerId a, ContainerId b) { return containers.endsBefore(b, a); });
+    return layers;
 }
+
+/// The child of `id` that contains the object, or `id` if it lies directly in it.
+ContainerId childAround(const Containers& containers, ContainerId id, std::size_t object)
+{
+    ContainerId child = containers.containerOf(object);
+    while (child != id && containers.parentOf(child) != id)
+        child = containers.parentOf(child);
+    return child;
+}
+
+} // namespace
+
+struct ObjectTree::Growing {
+    const Containers& containers;
+    std::map<ContainerId, std::vector<ContainerId>> layers;
+    std::vector<TreeRow> rows{};
+};
 
 std::vector<TreeRow> ObjectTree::rows(const Containers& containers) const
 {
-    std::vector<TreeRow> rows;
-    append(rows, containers, 0, 1);
-    return rows;
+    Growing growing{containers, layersIn(containers)};
+    append(growing, 0, 1);
+    return std::move(growing.rows);
 }
 
-void ObjectTree::append(std::vector<TreeRow>& rows, const Containers& containers, ContainerId id,
-                        int depth) const
+/// Looks only at the children that get a row.
+void ObjectTree::append(Growing& growing, ContainerId id, int depth) const
 {
     using Kind = TreeRow::Kind;
-    const bool open = isOpen(id);
-    std::size_t room = open ? most(id) : 0, left = 0;
-    const auto addObjects = [&](std::size_t first, std::size_t end) {
-        const std::size_t count = open ? std::min(room, end - first) : 0;
-        for (std::size_t i = 0; i < count; ++i)
-            rows.push_back({Kind::Object, id, end - 1 - i, depth});
-        room -= count;
-        left += end - first - count;
+    const Containers& containers = growing.containers;
+    const ObjectRange all = id == 0 ? ObjectRange{0, containers.objects()} : containers.rangeOf(id);
+    const std::vector<ContainerId> layers = growing.layers[id];
+    auto layer = layers.begin();
+    std::size_t end = all.end, room = isOpen(id) ? most(id) : 0;
+    const auto appendLayer = [&] {
+        end = std::min(end, containers.rangeOf(*layer).first);
+        growing.rows.push_back({Kind::Layer, *layer, 0, depth});
+        append(growing, *layer++, depth + 1);
     };
-    forEachChild(containers, id, addObjects, [&](ContainerId child) {
-        if (containers[child].kind == Container::Kind::Layer) {
-            rows.push_back({Kind::Layer, child, 0, depth});
-            return append(rows, containers, child, depth + 1);
-        }
-        if (room == 0) {
-            ++left;
-            return;
+    while (end > all.first && room > 0) {
+        if (layer != layers.end() && containers.rangeOf(*layer).end >= end) {
+            appendLayer();
+            continue;
         }
         --room;
-        rows.push_back({Kind::Group, child, 0, depth});
+        const ContainerId child = childAround(containers, id, end - 1);
+        if (child == id) {
+            growing.rows.push_back({Kind::Object, id, --end, depth});
+            continue;
+        }
+        growing.rows.push_back({Kind::Group, child, 0, depth});
         if (isOpen(child))
-            append(rows, containers, child, depth + 1);
-    });
-    if (open && left > 0)
-        rows.push_back({Kind::More, id, left, depth});
+            append(growing, child, depth + 1);
+        end = containers.rangeOf(child).first;
+    }
+    std::size_t left = end - all.first;
+    for (; layer != layers.end(); appendLayer())
+        left -= containers.rangeOf(*layer).size();
+    if (isOpen(id) && left > 0)
+        growing.rows.push_back({Kind::More, id, left, depth});
 }
 
 std::size_t ObjectTree::most(ContainerId id) const
@@ -115,25 +134,17 @@ bool ObjectTree::reveal(const Containers& containers, ContainerId around, std::s
 }
 
 /// Whether it has a row for the child that is, or contains, the object while it is open. Looks only
-/// at the children that have rows: there may be 100,000.
+/// at the children that have rows.
 bool ObjectTree::shows(const Containers& containers, ContainerId id, std::size_t object) const
 {
     std::size_t end = containers.rangeOf(id).end;
     for (std::size_t before = 0; before < most(id);) {
-        if (object == end - 1)
-            return true;
-        ContainerId child = containers.containerOf(end - 1);
-        if (child == id) { // the object lies directly in it
-            --end;
-            ++before;
-            continue;
-        }
-        while (containers.parentOf(child) != id)
-            child = containers.parentOf(child);
-        end = containers.rangeOf(child).first;
+        const ContainerId child = childAround(containers, id, end - 1);
+        const bool isLayer = child != id && containers[child].kind == Container::Kind::Layer;
+        end = child == id ? end - 1 : containers.rangeOf(child).first;
         if (object >= end)
             return true;
-        before += containers[child].kind == Container::Kind::Group;
+        before += !isLayer;
     }
     return false;
 }

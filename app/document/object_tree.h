@@ -14,7 +14,7 @@ struct TreeRow {
     enum class Kind : std::uint8_t { Layer, Group, Object, More };
     Kind kind = Kind::Layer;
     ContainerId container = 0; ///< the layer or group; of Object and More: the one around it
-    std::size_t number = 0;    ///< of Object; of More: how many objects and groups are left out
+    std::size_t number = 0;    ///< of Object; of More: how many objects are left out
     int depth = 1;             ///< 1 on the first level
     friend bool operator==(const TreeRow&, const TreeRow&) = default;
 };
@@ -43,8 +43,8 @@ public:
     void forgetGone(const Containers& containers);
 
 private:
-    void append(std::vector<TreeRow>& rows, const Containers& containers, ContainerId id,
-                int depth) const;
+    struct Growing;
+    void append(Growing& growing, ContainerId id, int depth) const;
     std::size_t most(ContainerId id) const;
     bool reveal(const Containers& containers, ContainerId around, std::size_t object);
     bool shows(const Containers& containers, ContainerId id, std::size_t object) const;

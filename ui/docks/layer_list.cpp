@@ -24,6 +24,7 @@ LayerList::LayerList(app::Session& session, LayerModel* model)
     setMouseTracking(true);
     setEditTriggers(DoubleClicked);
     setUniformItemSizes(true);
+    setAutoScroll(false); // a click on a row that is half seen would move it from the pointer
     viewport()->setAutoFillBackground(false);
     for (const auto changed : {&QAbstractItemModel::rowsRemoved, &QAbstractItemModel::rowsInserted})
         connect(model, changed, this, &LayerList::endDrag); // for example by undo
@@ -43,7 +44,10 @@ const LayerCommand* LayerList::commandOf(const QKeyEvent& event) const
 // While the list has the focus, its keys go before the shortcuts of the window, such as F2.
 bool LayerList::event(QEvent* event)
 {
-    if (event->type() == QEvent::ShortcutOverride && commandOf(*static_cast<QKeyEvent*>(event))) {
+    const bool isKey = event->type() == QEvent::ShortcutOverride;
+    if (isKey
+        && (commandOf(*static_cast<QKeyEvent*>(event))
+            || renames(*static_cast<QKeyEvent*>(event)))) {
         event->accept();
         return true;
     }
@@ -59,12 +63,26 @@ void LayerList::keyPressEvent(QKeyEvent* event)
             command->run(current());
         return;
     }
+    if (renames(*event))
+        return edit(currentIndex());
     if (treeKey(*event))
-        return;
+        return event->accept();
+    if (event->key() == Qt::Key_Space && event->modifiers() == Qt::ControlModifier)
+        return pick(currentIndex(), Qt::ControlModifier);
     const QModelIndex before = currentIndex();
     PanelList::keyPressEvent(event);
-    if (currentIndex() != before && current() == 0)
-        pick(currentIndex(), {});
+    scrollTo(currentIndex());
+    const bool onlyMoves = event->modifiers() & Qt::ControlModifier; // Ctrl+Space takes it
+    if (currentIndex() != before && current() == 0 && !onlyMoves)
+        pick(currentIndex(), event->modifiers());
+}
+
+/// A group's name; that of a layer is one of its commands.
+bool LayerList::renames(const QKeyEvent& event) const
+{
+    const app::TreeRow* row = layers_->rowAt(currentIndex());
+    return row && row->kind == app::TreeRow::Kind::Group && event.key() == Qt::Key_F2
+           && event.modifiers() == Qt::NoModifier;
 }
 
 /// Right opens, Left closes or goes to what is around it; Enter shows more.
@@ -114,23 +132,18 @@ void LayerList::select(const app::ObjectRanges& objects)
 void LayerList::pick(const QModelIndex& index, Qt::KeyboardModifiers modifiers)
 {
     const app::TreeRow* row = layers_->rowAt(index);
-    if (!row)
+    if (!row || row->kind == app::TreeRow::Kind::More)
         return;
-    if (row->kind == app::TreeRow::Kind::More)
-        return;
-    app::ObjectRanges objects = layers_->objectsOf(index);
+    const bool extends = modifiers & Qt::ShiftModifier && anchor_.isValid();
+    const int from = extends ? anchor_.row() : index.row();
+    app::ObjectRanges objects =
+        layers_->objectsOf(std::min(from, index.row()), std::max(from, index.row()));
+    if (!extends)
+        anchor_ = index;
     if (objects.empty())
         return emit session_.refused(Text::tr("%1 is locked or hidden. Unlock and show it first.")
                                          .arg(index.data().toString()));
-    if (modifiers & Qt::ShiftModifier && anchor_.isValid()) {
-        for (int i = std::min(anchor_.row(), index.row()),
-                 last = std::max(anchor_.row(), index.row());
-             i <= last; ++i)
-            objects = united(objects, layers_->objectsOf(layers_->index(i)));
-        return select(objects);
-    }
-    anchor_ = index;
-    if (modifiers & Qt::ControlModifier) {
+    if (!extends && modifiers & Qt::ControlModifier) {
         const bool all = common(objects, session_.selection()).size() == objects.size();
         objects =
             all ? without(session_.selection(), objects) : united(session_.selection(), objects);
@@ -142,22 +155,31 @@ void LayerList::mousePressEvent(QMouseEvent* event)
 {
     const QPoint at = event->position().toPoint();
     const QModelIndex index = indexAt(at);
-    pressed_ =
-        event->button() == Qt::LeftButton && index.isValid() ? std::optional(at) : std::nullopt;
-    QListView::mousePressEvent(event);
-    if (!pressed_ || layers_->layerOf(index) != 0
-        || LayerPainter::hitsSign(visualRect(index), index, at))
+    pressed_.reset();
+    if (event->button() == Qt::LeftButton && index.isValid())
+        pressed_ = Press{at, index};
+    if (pressed_ && LayerPainter::hitsSign(visualRect(index), index, at)) {
+        pressed_->onSign = true; // an eye, say: the layer is not chosen
         return;
-    // Several that are selected may be dragged together; release() selects one of them.
-    if (!index.data(LayerModel::SelectedRole).toBool() || event->modifiers() != Qt::NoModifier)
+    }
+    QListView::mousePressEvent(event);
+    if (!pressed_ || layers_->layerOf(index) != 0)
+        return;
+    // Several that are selected may be dragged together; one of them is selected at the release.
+    pressed_->picksAtRelease =
+        event->modifiers() == Qt::NoModifier && index.data(LayerModel::SelectedRole).toBool();
+    pressed_->showsMore = layers_->rowAt(index)->kind == app::TreeRow::Kind::More;
+    if (!pressed_->picksAtRelease)
         pick(index, event->modifiers());
 }
 
 void LayerList::mouseMoveEvent(QMouseEvent* event)
 {
     const QPoint at = event->position().toPoint();
+    if (pressed_ && pressed_->onSign)
+        return;
     if (pressed_ && dragged_ == 0 && !dragsObjects_
-        && (at - *pressed_).manhattanLength() >= QApplication::startDragDistance())
+        && (at - pressed_->at).manhattanLength() >= QApplication::startDragDistance())
         startDrag();
     if (dragged_ == 0 && !dragsObjects_)
         return QListView::mouseMoveEvent(event);
@@ -167,9 +189,8 @@ void LayerList::mouseMoveEvent(QMouseEvent* event)
 
 void LayerList::startDrag()
 {
-    const QModelIndex index = indexAt(*pressed_);
-    dragged_ = layers_->layerOf(index);
-    dragsObjects_ = dragged_ == 0 && index.data(LayerModel::SelectedRole).toBool();
+    dragged_ = layers_->layerOf(pressed_->row);
+    dragsObjects_ = dragged_ == 0 && pressed_->row.data(LayerModel::SelectedRole).toBool();
 }
 
 void LayerList::mouseReleaseEvent(QMouseEvent* event)
@@ -178,16 +199,14 @@ void LayerList::mouseReleaseEvent(QMouseEvent* event)
     const bool objects = dragsObjects_;
     const auto target = target_;
     const auto pressed = std::exchange(pressed_, std::nullopt);
+    if (pressed && pressed->onSign)
+        return releaseSign(*event, pressed->row);
     if (layer == 0 && !objects) {
-        const QModelIndex index = indexAt(event->position().toPoint());
-        const bool onRow = pressed && !LayerPainter::hitsSign(visualRect(index), index, *pressed);
         QListView::mouseReleaseEvent(event);
-        const app::TreeRow* row = layers_->rowAt(index);
-        if (onRow && row && row->kind == app::TreeRow::Kind::More)
-            layers_->showMore(index);
-        else if (onRow && row && layers_->layerOf(index) == 0
-                 && event->modifiers() == Qt::NoModifier)
-            pick(index, {});
+        if (pressed && pressed->showsMore)
+            layers_->showMore(pressed->row);
+        else if (pressed && pressed->picksAtRelease)
+            pick(pressed->row, {});
         return;
     }
     endDrag();
@@ -195,8 +214,27 @@ void LayerList::mouseReleaseEvent(QMouseEvent* event)
     const app::Containers& containers = session_.now().containers();
     if (objects && target && containers.contains(target->place.parent))
         app::moveSelectionTo(session_, target->place.parent);
-    else if (target && containers.contains(layer))
+    else if (target && layer != 0 && containers.contains(layer))
         app::moveLayer(session_, layer, target->place);
+}
+
+void LayerList::releaseSign(QMouseEvent& event, const QModelIndex& row)
+{
+    if (!row.isValid() || indexAt(event.position().toPoint()) != row)
+        return;
+    QStyleOptionViewItem option;
+    initViewItemOption(&option);
+    option.rect = visualRect(row);
+    itemDelegate()->editorEvent(&event, layers_, option, row);
+}
+
+void LayerList::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    const QPoint at = event->position().toPoint();
+    const QModelIndex index = indexAt(at);
+    if (index.isValid() && LayerPainter::hitsSign(visualRect(index), index, at))
+        return mousePressEvent(event); // a second click on it
+    PanelList::mouseDoubleClickEvent(event);
 }
 
 void LayerList::endDrag()
@@ -209,34 +247,36 @@ void LayerList::endDrag()
 }
 
 /// Objects go to the top of a layer.
-LayerList::Target LayerList::layerUnder(const QPoint& at) const
+std::optional<LayerList::Target> LayerList::layerUnder(const QPoint& at) const
 {
     const QModelIndex index = indexAt(at);
     const app::ContainerId layer = layers_->layerAround(index);
+    if (layer == 0)
+        return std::nullopt;
     const QModelIndex row = layers_->indexOf(layer);
-    return {{layer, {}}, visualRect(row.isValid() ? row : index), true};
+    return Target{{layer, {}}, visualRect(row.isValid() ? row : index), true};
 }
 
 // The upper and the lower quarter of a row mean the place above and below it.
-LayerList::Target LayerList::targetAt(const QPoint& at) const
+std::optional<LayerList::Target> LayerList::targetAt(const QPoint& at) const
 {
     const app::Containers& tree = session_.now().containers();
     const QModelIndex index = indexAt(at);
     const auto line = [&](const QRect& row, int y) { return QRect(row.left(), y, row.width(), 0); };
     if (!index.isValid()) {
         const QRect last = visualRect(layers_->index(layers_->rowCount() - 1));
-        return {{0, 0}, line(last, last.bottom())};
+        return Target{{0, 0}, line(last, last.bottom())};
     }
     const app::ContainerId layer = layers_->layerAround(index);
     if (layers_->layerOf(index) == 0) // a group or an object: the layer around it
         return layerUnder(at);
     const QRect row = visualRect(index);
     if (at.y() < row.top() + row.height() / 4)
-        return {{tree.parentOf(layer), layer}, line(row, row.top())};
+        return Target{{tree.parentOf(layer), layer}, line(row, row.top())};
     if (at.y() < row.bottom() - row.height() / 4)
-        return {{layer, {}}, row, true};
+        return Target{{layer, {}}, row, true};
     const auto below = app::placeBelow(tree, layer);
-    return {below, line(row, row.bottom())};
+    return Target{below, line(row, row.bottom())};
 }
 
 void LayerList::contextMenuEvent(QContextMenuEvent* event)

@@ -47,8 +47,16 @@ private:
     std::vector<LayerCommand> makeCommands();
     app::ContainerId current() const;
     const LayerCommand* commandOf(const QKeyEvent& event) const;
-    Target targetAt(const QPoint& at) const;
-    Target layerUnder(const QPoint& at) const;
+    /// The row under the pressed button, and what its release does.
+    struct Press {
+        QPoint at;
+        QPersistentModelIndex row;
+        bool picksAtRelease = false, showsMore = false, onSign = false;
+    };
+    std::optional<Target> targetAt(const QPoint& at) const;
+    std::optional<Target> layerUnder(const QPoint& at) const;
+    void releaseSign(QMouseEvent& event, const QModelIndex& row);
+    bool renames(const QKeyEvent& event) const;
     void startDrag();
     void endDrag();
     void select(const app::ObjectRanges& objects);
@@ -61,6 +69,7 @@ private:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
@@ -68,7 +77,7 @@ private:
     app::Session& session_;
     LayerModel* layers_;
     std::vector<LayerCommand> commands_;
-    std::optional<QPoint> pressed_;
+    std::optional<Press> pressed_;
     app::ContainerId dragged_ = 0; ///< the layer; 0: none is dragged
     bool dragsObjects_ = false;    ///< the selected ones
     bool selects_ = false;

@@ -69,7 +69,7 @@ QVariant LayerModel::cell(int number, int, int role) const
         return row.depth;
     if (role == SelectedRole || role == HoldsRole)
         return selectedCell(row, role);
-    return row.kind == Kind::Object ? objectCell(row.number, role)
+    return row.kind == Kind::Object ? objectCell(row, role)
            : row.kind == Kind::More ? moreCell(row, role)
                                     : containerCell(row, role);
 }
@@ -110,17 +110,33 @@ QVariant LayerModel::containerCell(const app::TreeRow& row, int role) const
                               "Alt+click on the eye: show only this layer. Drag: move.")
                    : Text::tr("Click: select the group. Double click: rename. Drag: to a layer.");
     case Qt::AccessibleTextRole:
-        return Text::tr("%1, %2, %3")
-            .arg(isLayer ? container.name : app::groupName(container),
-                 container.visible ? Text::tr("shown") : Text::tr("hidden"),
-                 container.locked ? Text::tr("locked") : Text::tr("not locked"));
+        return spoken(row, {container.visible ? Text::tr("shown") : Text::tr("hidden"),
+                            container.locked ? Text::tr("locked") : Text::tr("not locked"),
+                            objects.empty()               ? QString()
+                            : tree_.isOpen(row.container) ? Text::tr("open")
+                                                          : Text::tr("closed")});
     default:
         return {};
     }
 }
 
-QVariant LayerModel::objectCell(std::size_t object, int role) const
+/// What a screen reader says of a row: its name, its level and what is seen of it.
+QString LayerModel::spoken(const app::TreeRow& row, const QStringList& states) const
 {
+    const QModelIndex at = index(int(&row - rows_.data()));
+    QStringList words{at.data().toString()};
+    words += states;
+    if (at.data(SelectedRole).toBool() && row.kind != Kind::Layer)
+        words << Text::tr("selected");
+    if (row.depth > 1)
+        words << Text::tr("level %1").arg(row.depth);
+    words.removeAll(QString());
+    return words.join(QStringLiteral(", "));
+}
+
+QVariant LayerModel::objectCell(const app::TreeRow& row, int role) const
+{
+    const std::size_t object = row.number;
     const app::ObjectView view = session_.now().objects()[object];
     switch (role) {
     case Qt::DisplayRole:
@@ -133,8 +149,10 @@ QVariant LayerModel::objectCell(std::size_t object, int role) const
         return !view.hidden();
     case Qt::ToolTipRole:
         return Text::tr("%1. Click: select it. Drag: to a layer.").arg(app::nameOf(view));
+    case Qt::AccessibleTextRole:
+        return spoken(row, {view.hidden() ? Text::tr("hidden") : QString()});
     default:
-        return role == Qt::AccessibleTextRole ? objectCell(object, Qt::DisplayRole) : QVariant();
+        return {};
     }
 }
 
@@ -155,21 +173,22 @@ QVariant LayerModel::selectedCell(const app::TreeRow& row, int role) const
         return role == SelectedRole && selection.contains(row.number);
     if (row.kind == Kind::More)
         return false;
-    const app::ObjectRanges in(session_.now().containers().rangeOf(row.container));
-    const app::ObjectRanges both = common(selection, in);
-    const bool isWhole = row.kind == Kind::Group && !in.empty() && both.size() == in.size();
-    return role == SelectedRole ? isWhole : !isWhole && !both.empty();
+    const app::ObjectRange in = session_.now().containers().rangeOf(row.container);
+    const bool isWhole = row.kind == Kind::Group && !in.empty() && selection.contains(in);
+    return role == SelectedRole ? isWhole : !isWhole && selection.intersects(in);
 }
 
-app::ObjectRanges LayerModel::objectsOf(const QModelIndex& index) const
+app::ObjectRanges LayerModel::objectsOf(int first, int last) const
 {
-    const app::TreeRow* row = rowAt(index);
-    if (!row || row->kind == Kind::Layer || row->kind == Kind::More)
-        return {};
-    const app::ObjectRange objects = row->kind == Kind::Object
-                                         ? app::ObjectRange{row->number, row->number + 1}
-                                         : session_.now().containers().rangeOf(row->container);
-    return common(app::ObjectRanges(objects), app::selectableObjects(session_));
+    app::ObjectRanges objects;
+    for (int number = std::max(first, 0); number <= last && number < rows(); ++number) {
+        const app::TreeRow& row = rows_[std::size_t(number)];
+        if (row.kind == Kind::Object)
+            objects.insert(row.number);
+        else if (row.kind == Kind::Group)
+            objects.insert(session_.now().containers().rangeOf(row.container));
+    }
+    return objects.empty() ? objects : common(objects, app::selectableObjects(session_));
 }
 
 void LayerModel::setOpen(const QModelIndex& index, bool open)
@@ -199,7 +218,7 @@ QModelIndex LayerModel::revealSelection()
     const bool isGroup = group != 0 && selection == app::ObjectRanges(containers.rangeOf(group));
     const bool changed = isGroup                 ? tree_.revealGroup(containers, group)
                          : selection.size() == 1 ? tree_.revealObject(containers, selection.first())
-                                                 : tree_.conceal();
+                                                 : selection.empty() && tree_.conceal();
     if (changed) {
         showRows();
         tellChanged({OpenRole});

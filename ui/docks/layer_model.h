@@ -41,8 +41,8 @@ public:
     bool isOpen(const QModelIndex& index) const { return index.data(OpenRole).toBool(); }
     void setOpen(const QModelIndex& index, bool open);
     void showMore(const QModelIndex& index); ///< more of a layer of which only some are shown
-    /// The objects of a group's or an object's row that may be selected.
-    app::ObjectRanges objectsOf(const QModelIndex& index) const;
+    /// The objects of groups and objects in these rows that may be selected.
+    app::ObjectRanges objectsOf(int first, int last) const;
 
     void showOnly(const QModelIndex& index); ///< hides the others, or shows all again
     bool addLayer(); ///< above all others; false: the drawing has too many layers
@@ -65,7 +65,8 @@ private:
     void follow(const app::DocumentChange& change);
     void showRows();
     QVariant containerCell(const app::TreeRow& row, int role) const;
-    QVariant objectCell(std::size_t object, int role) const;
+    QVariant objectCell(const app::TreeRow& row, int role) const;
+    QString spoken(const app::TreeRow& row, const QStringList& states) const;
     QVariant moreCell(const app::TreeRow& row, int role) const;
     QVariant selectedCell(const app::TreeRow& row, int role) const;
 

@@ -43,6 +43,7 @@ void deleteChosen(MainWindow& window)
 
 void selectAllNodesOrObjects(MainWindow& window)
 {
+    window.canvas().setFocus(); // keys are for what is selected, not for a list
     app::Session& session = window.session();
     if (session.nodes.shown() && !session.selection().empty())
         session.nodes.selectAll(true);

@@ -29,7 +29,8 @@ protected:
         case Qt::Key_PageDown:
         case Qt::Key_Home:
         case Qt::Key_End:
-            return QListView::keyPressEvent(event);
+            QListView::keyPressEvent(event);
+            return event->accept(); // at its end, too: the drawing would be moved
         default:
             event->ignore();
         }

@@ -67,6 +67,10 @@ private slots:
                 set.erase(set.lower_bound(first), set.lower_bound(end));
                 break;
             }
+            const auto in =
+                std::ranges::count_if(set, [&](std::size_t i) { return first <= i && i < end; });
+            QCOMPARE(ranges.contains({first, end}), std::size_t(in) == end - first);
+            QCOMPARE(ranges.intersects({first, end}), in > 0);
             QVERIFY(same(ranges, set));
             QCOMPARE(ranges.contains(first), set.contains(first));
             QVERIFY(set.empty()

@@ -3,6 +3,7 @@
 #include "app/document/document_builder.h"
 #include "ui/docks/layers_panel.h"
 
+#include <QLineEdit>
 #include <QSignalSpy>
 
 #include "tests/test_class.h"
@@ -170,6 +171,104 @@ private slots:
         const auto layers = tree.childrenOf(0);
         QCOMPARE(tree.rangeOf(layers[0]).size(), std::size_t(4));
         QCOMPARE(tree.rangeOf(layers[1]).size(), std::size_t(2));
+    }
+    // Below the last row is no layer.
+    void objectsThatAreDroppedNowhereStay()
+    {
+        Panel panel;
+        panel.clickChevron("high");
+        panel.click(".Line 3");
+        const QSignalSpy refused(&panel.session(), &app::Session::refused);
+        const QPoint from = panel.list->visualRect(panel.at(3)).center();
+        const QPoint to(from.x(), panel.list->viewport()->height() - 2);
+        QVERIFY(!panel.list->indexAt(to).isValid());
+        QTest::mousePress(panel.list->viewport(), Qt::LeftButton, {}, from);
+        QMouseEvent event(QEvent::MouseMove, to, panel.list->viewport()->mapToGlobal(to),
+                          Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(panel.list->viewport(), &event);
+        QTest::mouseRelease(panel.list->viewport(), Qt::LeftButton, {}, to);
+        QCOMPARE(refused.size(), 0);
+        QCOMPARE(panel.session().history.count(), 0);
+    }
+    void whatThePressSelectsStays()
+    {
+        Panel panel;
+        panel.clickChevron("high");
+        panel.click(".Line 6");
+        const QPoint at = panel.list->visualRect(panel.at(panel.rowOf(".Line 3"))).center();
+        QTest::mousePress(panel.list->viewport(), Qt::LeftButton, Qt::ShiftModifier, at);
+        QTest::mouseRelease(panel.list->viewport(), Qt::LeftButton, {}, at); // Shift came up first
+        QCOMPARE(panel.session().selection(), Ranges({2, 3, 4, 5}));
+        panel.click(".Line 3"); // one of several that are selected
+        QCOMPARE(panel.session().selection(), Ranges({2}));
+    }
+    void anEyeChoosesNoLayer()
+    {
+        Panel panel;
+        panel.click("low");
+        const QRect row = panel.list->visualRect(panel.at(0));
+        const QPoint eye(row.left() + space::dockMargin + 8, row.center().y());
+        for (const bool visible : {false, true}) {
+            QTest::mouseClick(panel.list->viewport(), Qt::LeftButton, {}, eye);
+            QCOMPARE(panel.at(0).data(LayerModel::VisibleRole).toBool(), visible);
+            QVERIFY(panel.at(1).data(LayerModel::PenRole).toBool());
+        }
+        QTest::mouseDClick(panel.list->viewport(), Qt::LeftButton, {}, eye); // twice
+        QVERIFY(panel.at(0).data(LayerModel::VisibleRole).toBool());
+        QCOMPARE(panel.session().history.count(), 4);
+        QVERIFY(!qobject_cast<QLineEdit*>(QApplication::focusWidget()));
+    }
+    // The drawing is not moved instead.
+    void itsKeysStayInTheListAtItsEnds()
+    {
+        Panel panel;
+        panel.session().select({0});
+        panel.list->setFocus();
+        panel.list->setCurrentIndex(panel.at(panel.list->model()->rowCount() - 1));
+        for (const Qt::Key key : {Qt::Key_Down, Qt::Key_End, Qt::Key_Right})
+            panel.key(key);
+        panel.list->setCurrentIndex(panel.at(0));
+        for (const Qt::Key key : {Qt::Key_Up, Qt::Key_Home, Qt::Key_Left, Qt::Key_Left})
+            panel.key(key);
+        QCOMPARE(panel.session().history.count(), 0);
+    }
+    void F2RenamesAGroup()
+    {
+        Panel panel;
+        panel.clickChevron("high");
+        panel.click(".pair");
+        panel.list->setFocus();
+        QTest::keyClick(panel.list, Qt::Key_F2);
+        QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
+        QTest::keyClicks(QApplication::focusWidget(), "two");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QTRY_COMPARE(panel.rows()[2], QStringLiteral(".two"));
+        QVERIFY(!panel.session().microscope.isOpen());
+    }
+    void keysSelectSeveral()
+    {
+        Panel panel;
+        panel.clickChevron("high");
+        panel.click(".Line 6");
+        panel.list->setFocus();
+        QTest::keyClick(panel.list, Qt::Key_Down, Qt::ShiftModifier);
+        QCOMPARE(panel.session().selection(), Ranges({3, 4, 5}));
+        QTest::keyClick(panel.list, Qt::Key_Down, Qt::ControlModifier);
+        QCOMPARE(panel.session().selection(), Ranges({3, 4, 5}));
+        QTest::keyClick(panel.list, Qt::Key_Space, Qt::ControlModifier);
+        QCOMPARE(panel.session().selection(), Ranges({2, 3, 4, 5}));
+    }
+    void aScreenReaderHearsWhatIsSeen()
+    {
+        Panel panel;
+        panel.clickChevron("high");
+        panel.click(".pair");
+        const auto says = [&](int row) {
+            return panel.at(row).data(Qt::AccessibleTextRole).toString();
+        };
+        QCOMPARE(says(0), QStringLiteral("high, shown, not locked, open"));
+        QCOMPARE(says(2), QStringLiteral("pair, shown, not locked, closed, selected, level 2"));
+        QCOMPARE(says(3), QStringLiteral("Line 3, level 2"));
     }
     void groupsAreRenamedAndHidden()
     {
