@@ -58,7 +58,7 @@ QToolButton* ArrangeRow::makeButton(const app::Arrangement& how)
     button->setIconSize({18, 18});
     button->setAutoRaise(true);
     button->setFixedSize(space::toolButton, space::toolButton);
-    button->setFocusPolicy(Qt::NoFocus);
+    button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(how.name);
     connect(button, &QToolButton::clicked, this, [this, &how] { how.run(session_); });
     return button;
@@ -102,6 +102,7 @@ void ArrangeRow::follow()
             how->shortcut.isEmpty() ? how->name : how->name + " (" + how->shortcut + ")";
         button->setEnabled(why.isEmpty());
         button->setToolTip(why.isEmpty() ? name : name + u'\n' + why);
+        button->setAccessibleDescription(why);
     }
     const app::AlignmentTarget& target = app::alignmentTarget(session_);
     target_->setCurrentIndex(int(&target - app::alignmentTargets().data()));

@@ -73,7 +73,8 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addTool();
     connect(arranging_, &ArrangeRow::done, &canvas, [&canvas] { canvas.setFocus(); });
     addGroup([this] { addStroke(); },
-             [this] { return drawsOrRests() || (arranges() && !canvas_.showsCapsule()); });
+             [this] { return drawsOrRests() || (arranges() && !canvas_.hasWholeCapsule()); });
+    addGroup([this] { addStyle(); }, [this] { return drawsOrRests() || arranges(); });
     addGroup([this] { addWidget(arranging_); }, [this] { return arranges(); });
     addGroup([this] { addWidget(nodes_); }, [this] { return uses({"nodes"}); });
     addGroup([this] { addWidget(view_); }, [this] { return uses({"hand", "zoom"}); });
@@ -124,12 +125,16 @@ void OptionBar::addTool()
 
 void OptionBar::addStroke()
 {
-    style_->setIcon(icon("style"));
-    style_->setObjectName(QStringLiteral("style"));
-    stroke_->layout()->addWidget(style_);
     addWidget(stroke_);
     connect(&stroke_->width(), &LengthField::refused, this, &OptionBar::refused);
     connect(&stroke_->width(), &LengthField::taken, this, &OptionBar::taken);
+}
+
+void OptionBar::addStyle()
+{
+    style_->setIcon(icon("style"));
+    style_->setObjectName(QStringLiteral("style"));
+    addWidget(style_);
     connect(style_, &QToolButton::clicked, this, &OptionBar::openStyle);
     connect(&stylePopup_->panel(), &StylePanel::refused, this, &OptionBar::refused);
     connect(&stylePopup_->panel(), &StylePanel::taken, this, &OptionBar::taken);

@@ -65,6 +65,7 @@ private:
     };
     void addTool();
     void addStroke();
+    void addStyle();
     void addClipping();
     void addPanes();
     void addFixed();

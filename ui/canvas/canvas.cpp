@@ -94,6 +94,10 @@ void Canvas::switchSnapping(bool on)
 }
 bool Canvas::actsOnWindow() const { return parts_->controller.actsOnWindow(); }
 bool Canvas::showsCapsule() const { return parts_->ofWindow.isOn(); }
+bool Canvas::hasWholeCapsule() const
+{
+    return showsCapsule() && parts_->capsuleForm == Capsule::Form::Whole;
+}
 void Canvas::switchCapsule(bool on)
 {
     for (Capsule* capsule : parts_->capsules)

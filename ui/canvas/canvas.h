@@ -70,6 +70,8 @@ public:
     bool actsOnWindow() const; ///< whether keys are for the chosen clip window
     bool showsCapsule() const; ///< whether the chosen clip window has its controls beside it
     void switchCapsule(bool on);
+    /// Whether capsules are on, and the canvas is so wide that all their parts have room.
+    bool hasWholeCapsule() const;
     /// The first controls in the capsule of selected objects, which a room above makes. Once.
     void setStrokeControls(QWidget& stroke);
     /// Moves, rotates, scales or skews the selection by the pointer and by typed numbers.
@@ -114,7 +116,7 @@ signals:
     void stepsChanged();
     void viewChanged();
     void snappingChanged(); ///< the kinds, or whether it is on
-    void capsuleSwitched();
+    void capsuleSwitched(); ///< on, off, or between whole and fewer parts
     /// The menu of the chosen clip window is wanted, its upper right corner at a point of the
     /// screen.
     void windowMenuWanted(const QPoint& corner);

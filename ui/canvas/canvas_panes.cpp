@@ -159,6 +159,8 @@ void Canvas::layOut()
         alone && drawing.width() >= narrow ? Capsule::Form::Whole : Capsule::Form::Compact;
     for (Capsule* capsule : parts.capsules)
         capsule->setSurface(&drawing, form);
+    if (std::exchange(parts.capsuleForm, form) != form)
+        emit capsuleSwitched();
     update();
 }
 

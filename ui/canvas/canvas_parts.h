@@ -35,6 +35,7 @@ struct Canvas::Parts {
     WindowCapsule ofWindow;
     ObjectCapsule ofObjects;
     const std::array<Capsule*, 2> capsules{&ofWindow, &ofObjects};
+    Capsule::Form capsuleForm = Capsule::Form::Whole;
     bool layingOut = false;
 };
 

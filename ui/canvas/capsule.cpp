@@ -38,7 +38,7 @@ Capsule::Capsule(Controller& controller, QWidget* parent) : QFrame(parent), cont
     connect(&still_, &QTimer::timeout, this, &Capsule::follow);
     connect(&controller, &Controller::viewChanged, this, &Capsule::hideWhileMoving);
     connect(&controller, &Controller::changed, this, [this] {
-        if (isHidden() == isWanted())
+        if (isHidden() == (isWanted() && !noRoom_))
             follow();
     });
     connect(&controller, &Controller::capsuleWanted, this, &Capsule::enter);
@@ -143,6 +143,8 @@ void Capsule::enter()
 
 void Capsule::leave()
 {
+    if (QWidget* focus = QApplication::focusWidget(); focus && isAncestorOf(focus))
+        focus->clearFocus(); // also if the surface is hidden and cannot take it
     if (surface_)
         surface_->setFocus();
     follow(); // to where the thing is now
@@ -175,11 +177,13 @@ void Capsule::follow()
     const bool isOther = followSubject();
     if (hasKeyboard() && (isOther || !isWanted()))
         forget();
+    noRoom_ = false;
+    afterGesture_ = afterGesture_ || controller_.gestureGoes();
     if (!isWanted())
         return withdraw();
     showValues();
     if (isOther || !holds() || !placedAt_)
-        place();
+        place(isOther || !placedAt_);
 }
 
 void Capsule::hideWhileMoving()
@@ -198,20 +202,24 @@ void Capsule::withdraw()
     place_ = {};
 }
 
-void Capsule::place()
+void Capsule::place(bool isOther)
 {
     adjustSize();
-    // A click that changes nothing does not move it.
+    app::CapsuleRoom around = room();
+    // The side stays where the pointer let the thing go, also when keys or numbers move it. A click
+    // that changes nothing does not move the capsule.
     const app::WindowFrame now = frame();
     const auto& pointer = controller_.pointer();
-    if (placedAt_ != now && pointer)
-        released_ = QPointF(pointer->screen.x, pointer->screen.y);
+    if (pointer && (isOther || (afterGesture_ && placedAt_ != now)))
+        released_ = QPointF(pointer->screen.x, pointer->screen.y) - around.box.center();
+    afterGesture_ = false;
     placedAt_ = now;
-    app::CapsuleRoom around = room();
     around.canvas = surface_->size();
-    around.released = released_;
+    if (released_)
+        around.released = around.box.center() + *released_;
     const auto at = app::capsulePlace(size(), around);
-    if (!at)
+    noRoom_ = !at;
+    if (noRoom_)
         return withdraw();
     const QPoint corner = surface_->mapTo(parentWidget(), at->toPoint());
     if (isHidden() || corner != pos())

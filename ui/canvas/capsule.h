@@ -73,16 +73,18 @@ private:
     bool holds() const; ///< it has the keyboard or the pointer
     void hideWhileMoving();
     void withdraw();
-    void place();
+    void place(bool isOther); ///< than before
     void beDeaf();
 
     Controller& controller_;
     QWidget* surface_ = nullptr;
-    bool on_ = true;
+    bool on_ = true, noRoom_ = false;
     std::vector<LengthField*> fields_;
-    QTimer still_;                      ///< runs while the view changes
-    QTimer deaf_;                       ///< runs while clicks go through it
-    std::optional<QPointF> released_{}; ///< where the pointer was when the thing was let go
+    QTimer still_; ///< runs while the view changes
+    QTimer deaf_;  ///< runs while clicks go through it
+    /// From the middle of the thing to where the pointer let it go.
+    std::optional<QPointF> released_{};
+    bool afterGesture_ = false; ///< a gesture has begun since it was placed
     std::optional<app::WindowFrame> placedAt_{};
     QRectF place_; ///< on the surface; empty: hidden
 };

@@ -2,6 +2,7 @@
 #include "app/view/picture.h"
 #include "ui/canvas/controller.h"
 #include "ui/canvas/window_overlay.h"
+#include "ui/tools/selection_marks.h"
 #include "ui/widgets/swatch.h"
 
 #include <algorithm>
@@ -89,7 +90,8 @@ app::FrameWish Controller::wish(const Pane& pane, double pixelRatio, const QSize
                         .options = pictureOptions(pixelRatio),
                         .ghost = ghostOpacity(),
                         .drawings = drawings_};
-    if (app::outlines(lines, session_.selection().ranges()))
+    if (app::outlines(lines, session_.selection().ranges())
+        && !SelectionMarks::isQuiet(session_)) // lines around letters hide them
         wish.selection = session_.selection();
     addDifferences(wish, pane);
     if (pane.among == 1)

@@ -13,7 +13,7 @@
 namespace ui {
 namespace {
 
-constexpr int numberWidth = 54; // pixels
+constexpr int numberWidth = 54, widerNumber = 66; // pixels
 constexpr std::string_view ofWidth = "w", ofHeight = "h", ofLength = "length", ofAngle = "angle";
 
 const app::SelectionNumber& infoOf(std::string_view key)
@@ -32,6 +32,7 @@ ObjectCapsule::ObjectCapsule(Controller& controller, QWidget* parent)
     addNumber(ofWidth, true);
     addPart(*times_);
     addNumber(ofHeight, false);
+    unit_->setFocusPolicy(Qt::NoFocus); // Tab goes on to the angle
     addPart(*unit_);
     beforeAngle_ = addRule();
     addNumber(ofAngle, true);
@@ -49,7 +50,7 @@ void ObjectCapsule::addNumber(std::string_view key, bool labelled)
     const bool isAngle = info.quantity == app::Quantity::Angle;
     auto* field =
         makeField(info.name, QStringLiteral("object-capsule-") + app::latin(key), isAngle);
-    field->setFixedWidth(numberWidth);
+    field->setFixedWidth(key == ofAngle || key == ofLength ? widerNumber : numberWidth);
     field->setAlignment(key == ofHeight ? Qt::AlignLeft : Qt::AlignRight);
     field->setToolTip(info.name);
     connect(field, &LengthField::edited, this, [this, &info](double value, app::Merging merging) {
@@ -129,6 +130,8 @@ app::CapsuleRoom ObjectCapsule::room() const
     if (controller().session().windowNumber())
         std::ranges::copy(windowMarks(controller(), surface()->font()),
                           std::back_inserter(covered));
+    else if (const QRectF offer = controller().offeredHandle(); !offer.isEmpty())
+        covered.push_back(offer);
     return {.box = box, .covered = std::move(covered)};
 }
 

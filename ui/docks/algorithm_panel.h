@@ -29,7 +29,7 @@ public:
     /// Compares on another thread, and then calls `done`; not if anything changes before.
     void compare(std::function<void()> done = {});
     void finish() { comparing_.wait(); } ///< waits for the comparison
-    QString title() const; ///< the algorithm and its form: "Skala, as published"
+    QString title() const;               ///< the algorithm and its form: "Skala, as published"
     QString verdict() const { return verdict_->text(); }
     QString instead() const { return instead_->text(); }
     const std::vector<app::Disagreement>& disagreements() const { return disagreements_; }

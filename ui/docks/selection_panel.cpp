@@ -100,9 +100,9 @@ QLayout* SelectionPanel::makeNumbers()
             below->addWidget(field, 1);
         }
     }
-    grid->addWidget(chain_, 0, 4, 2, 1, Qt::AlignCenter);
+    grid->addWidget(chain_, 0, 4, Qt::AlignCenter);
+    grid->addWidget(new UnitButton(session_), 1, 4, Qt::AlignCenter);
     grid->addWidget(reference_, 0, 5, 2, 1, Qt::AlignCenter);
-    below->addWidget(new UnitButton(session_));
     grid->addLayout(below, 2, 0, 1, 6);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);

@@ -26,12 +26,14 @@ StrokeRow::StrokeRow(app::Session& session, Canvas& canvas, Frame frame, QWidget
     row->addWidget(colour_);
     addWidth(frame);
     addDashes(frame);
-    connect(&session, &app::Session::selectionChanged, this, &StrokeRow::follow);
+    connect(&session, &app::Session::selectionChanged, this, [this] {
+        width_->discardTyped(); // it was for other objects
+        follow();
+    });
     connect(&session, &app::Session::displayChanged, this, &StrokeRow::follow);
     connect(&session, &app::Session::loaded, this, &StrokeRow::follow, Qt::QueuedConnection);
     connect(&session.document, &app::EditedDocument::changed, this, &StrokeRow::follow,
             Qt::QueuedConnection); // the selection may not be updated yet
-    follow();
 }
 
 void StrokeRow::addWidth(Frame frame)
@@ -75,15 +77,26 @@ void StrokeRow::addDashes(Frame frame)
     });
 }
 
+void StrokeRow::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+/// Asks nothing while it is hidden: there may be a million selected objects.
 void StrokeRow::follow()
 {
+    if (!isVisible())
+        return;
     const std::vector<app::Style> styles = app::shownStyles(session_);
     const app::Unit unit = session_.display().unit;
     const double size = session_.now().page().millimetresPerUnit();
-    if (app::common(styles, &app::Style::width))
-        width_->show(styles.front().width, unit, size);
-    else
-        width_->showMixed(styles.front().width, unit, size);
+    if (!width_->isBeingTyped()) {
+        if (app::common(styles, &app::Style::width))
+            width_->show(styles.front().width, unit, size);
+        else
+            width_->showMixed(styles.front().width, unit, size);
+    }
     const auto pattern = app::common(styles, app::patternOf).value_or(std::nullopt);
     dashes_->setCurrentIndex(pattern ? int(*pattern) : -1);
 }

@@ -22,7 +22,9 @@ public:
 
     LengthField& width() { return *width_; }
     ColourChoice& colour() { return *colour_; }
-    QLayout& beside() { return *layout(); } ///< where more of the stroke is added
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
     void addWidth(Frame frame);

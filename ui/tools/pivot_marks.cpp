@@ -26,7 +26,8 @@ app::Point handleAbove(const clipping::Window& box, const app::View& view)
 app::Point crossAt(const clipping::Window& box, const Workbench& bench)
 {
     const app::Point size = bench.view.toScreen(box.max) - bench.view.toScreen(box.min);
-    const bool isSmall = lineWithHandles(bench.session) || std::max(size.x, size.y) < leastForPivot;
+    const bool isSmall = lineWithHandles(bench.session) || SelectionMarks::isQuiet(bench.session)
+                         || std::max(size.x, size.y) < leastForPivot;
     return isSmall && !bench.session.pivot.isMoved()
                ? handleAbove(box, bench.view) + app::Point(besideRotation, 0)
                : bench.view.toScreen(bench.session.pivot.at());
@@ -62,7 +63,8 @@ void PivotMarks::paint(QPainter& painter, const Workbench& bench, bool near)
 {
     const auto& box = bench.session.selectionBounds();
     const bool hides = !near && !bench.session.pivot.isMoved();
-    if (!box || (hides && SelectionMarks::isSmall(*box, bench)))
+    const bool isQuiet = lineWithHandles(bench.session) || SelectionMarks::isQuiet(bench.session);
+    if (!box || (hides && (isQuiet || SelectionMarks::isSmall(*box, bench))))
         return;
     const app::Point cross = crossAt(*box, bench);
     paintPivot(painter, {cross.x, cross.y}, bench.look);

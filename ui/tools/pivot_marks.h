@@ -13,7 +13,7 @@ public:
     /// What a press at a place on the screen drags.
     static Mark at(const app::Point& screen, const Workbench& bench);
     static QString hint(Mark mark); ///< empty for Mark::None
-    /// Of a small selection only if the pointer is near it.
+    /// Of a line, a text or a small selection only if the pointer is near it.
     static void paint(QPainter& painter, const Workbench& bench, bool near);
     static QPointF rotationHandle(const Workbench& bench); ///< on the screen; something is selected
     static void paintPivot(QPainter& painter, const QPointF& at, const Look& look);

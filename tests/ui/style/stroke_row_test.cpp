@@ -40,17 +40,48 @@ private slots:
         rows.window->canvas().switchCapsule(false);
         QTRY_VERIFY(rows.bar().isVisible() && !rows.capsule().isVisible());
     }
-    void bothShowTheSame()
+    void eachShowsWhatItIsFor()
     {
         Rows rows;
         for (const app::ObjectRanges& selection :
              {app::ObjectRanges({0}), app::ObjectRanges({0, 1}), app::ObjectRanges()}) {
             rows.session().select(selection);
-            QCOMPARE(rows.bar().width().text(), rows.capsule().width().text());
-            QCOMPARE(rows.bar().colour().text(), rows.capsule().colour().text());
+            StrokeRow& shown = selection.empty() ? rows.bar() : rows.capsule();
+            QTRY_VERIFY(shown.isVisible());
+            const double wide =
+                selection.empty() ? rows.session().pen.style.width : rows.width(selection.first());
+            QCOMPARE(shown.width().text().isEmpty(), selection.size() == 2); // mixed
+            if (selection.size() != 2)
+                QCOMPARE(shown.width().value(), wide);
         }
-        rows.session().select({0, 1});
-        QVERIFY(rows.capsule().width().text().isEmpty()); // mixed
+    }
+    // There is no room for the capsule: the bar has the stroke, and always the panel Style.
+    void aNarrowCanvasHasTheStrokeInTheBar()
+    {
+        Rows rows;
+        auto* style = rows.window->optionBar().findChild<QWidget*>("style");
+        rows.session().select({0});
+        QTRY_VERIFY(!rows.bar().isVisible() && style->isVisible());
+        app::Panes panes = rows.window->canvas().panes();
+        panes.showAll();
+        rows.window->canvas().setPanes(panes);
+        QTRY_VERIFY(rows.bar().isVisible() && style->isVisible());
+        panes.show(1);
+        rows.window->canvas().setPanes(panes);
+        QTRY_VERIFY(!rows.bar().isVisible() && style->isVisible());
+    }
+    void whatIsTypedStaysUntilItIsTaken()
+    {
+        Rows rows;
+        rows.session().select({0});
+        LengthField& width = rows.capsule().width();
+        QTRY_VERIFY(width.isVisible());
+        width.setFocus();
+        width.selectAll();
+        QTest::keyClicks(&width, "9");
+        rows.session().changeDisplay([](app::Display& d) { d.guides = !d.guides; });
+        QTest::keyClick(&width, Qt::Key_Return);
+        QCOMPARE(rows.width(0), 9.0);
     }
     void aTypedWidthIsForTheObjectsThatWereShown()
     {
