@@ -213,9 +213,9 @@ private slots:
             QCOMPARE(panel.at(0).data(LayerModel::VisibleRole).toBool(), visible);
             QVERIFY(panel.at(1).data(LayerModel::PenRole).toBool());
         }
-        QTest::mouseDClick(panel.list->viewport(), Qt::LeftButton, {}, eye); // twice
-        QVERIFY(panel.at(0).data(LayerModel::VisibleRole).toBool());
-        QCOMPARE(panel.session().history.count(), 4);
+        QTest::mouseDClick(panel.list->viewport(), Qt::LeftButton, {}, eye); // its second press
+        QTest::mouseRelease(panel.list->viewport(), Qt::LeftButton, {}, eye);
+        QVERIFY(!panel.at(0).data(LayerModel::VisibleRole).toBool());
         QVERIFY(!qobject_cast<QLineEdit*>(QApplication::focusWidget()));
     }
     // The drawing is not moved instead.
