@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/option_bar.h"
 
+#include "app/base/text.h"
 #include "ui/bars/arrange_row.h"
 #include "ui/bars/grid_choice.h"
 #include "ui/bars/node_row.h"
+#include "ui/bars/shape_options.h"
 #include "ui/bars/snap_choice.h"
 #include "ui/bars/window_options.h"
 #include "ui/editing/keeping.h"
@@ -58,6 +60,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
       tool_(new QToolButton), stroke_(new StrokeRow(session, canvas, StrokeRow::Frame::Fields)),
       style_(new QToolButton), arranging_(new ArrangeRow(session)),
       stylePopup_(new StylePopup(session, canvas, this)), grid_(new GridChoice(session)),
+      shape_(new ShapeOptions(session, canvas)),
       keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
       removed_(new Segments(Text::tr("Removed part"),
                             {Text::tr("Ghosted"), Text::tr("Hidden"), Text::tr("Shown")})),
@@ -80,6 +83,9 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addGroup([this] { addWidget(view_); }, [this] { return uses({"hand", "zoom"}); });
     addGroup([&] { addWidget(new WindowOptions(session_, canvas_)); },
              [this] { return uses({"window"}); });
+    addGroup([this] { addWidget(shape_); }, [this] { return shape_->offersSome(); });
+    connect(shape_, &ShapeOptions::refused, this, &OptionBar::refused);
+    connect(shape_, &ShapeOptions::taken, this, &OptionBar::taken);
     addClipping();
     addPanes();
     addFixed();
@@ -340,9 +346,9 @@ void OptionBar::follow()
     std::vector<bool> now;
     for (const Group& group : groups_)
         now.push_back(group.offered());
-    if (std::exchange(shown_, now) != now || tool_->text() != named_)
+    const QString named = tool_->text() + app::latin(session_.windowPen.kind); // its options
+    if (std::exchange(shown_, now) != now || std::exchange(named_, named) != named)
         fitInto(width());
-    named_ = tool_->text();
 }
 
 } // namespace ui

@@ -16,6 +16,7 @@ class ArrangeRow;
 class GridChoice;
 class NodeRow;
 class Segments;
+class ShapeOptions;
 class StrokeRow;
 class StylePopup;
 
@@ -87,6 +88,7 @@ private:
     ArrangeRow* arranging_;
     StylePopup* stylePopup_;
     GridChoice* grid_;
+    ShapeOptions* shape_;
     Segments *keep_, *removed_, *panes_;
     NodeRow* nodes_;
     QWidget* view_;
@@ -95,7 +97,7 @@ private:
     QList<QAction*> captions_;
     bool panesOffered_ = false;
     std::vector<bool> shown_; ///< of each group: whether it was offered when all was arranged
-    QString named_;           ///< and the tool's name then
+    QString named_;           ///< and the tool and the shape then
 };
 
 } // namespace ui

@@ -94,6 +94,16 @@ void Canvas::switchSnapping(bool on)
 }
 bool Canvas::actsOnWindow() const { return parts_->controller.actsOnWindow(); }
 bool Canvas::showsCapsule() const { return parts_->ofWindow.isOn(); }
+std::optional<app::Numbers> Canvas::keptNumbers(std::string_view tool) const
+{
+    const auto& kept = parts_->controller.bench().kept;
+    const auto found = kept.find(tool);
+    return found == kept.end() ? std::nullopt : std::optional(found->second);
+}
+void Canvas::keepNumbers(std::string_view tool, const app::Numbers& numbers)
+{
+    parts_->controller.keepNumbers(tool, numbers);
+}
 bool Canvas::hasWholeCapsule() const
 {
     return showsCapsule() && parts_->capsuleForm == Capsule::Form::Whole;

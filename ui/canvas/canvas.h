@@ -70,6 +70,10 @@ public:
     bool actsOnWindow() const; ///< whether keys are for the chosen clip window
     bool showsCapsule() const; ///< whether the chosen clip window has its controls beside it
     void switchCapsule(bool on);
+    /// The numbers that a tool keeps for its next object; empty: its usual ones.
+    std::optional<app::Numbers> keptNumbers(std::string_view tool) const;
+    /// `tool` outlives the canvas: it is a key of a catalogue.
+    void keepNumbers(std::string_view tool, const app::Numbers& numbers);
     /// Whether capsules are on, and the canvas is so wide that all their parts have room.
     bool hasWholeCapsule() const;
     /// The first controls in the capsule of selected objects, which a room above makes. Once.

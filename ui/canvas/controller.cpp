@@ -132,6 +132,12 @@ void Controller::setLook(const Look& look)
     outdate();
 }
 
+void Controller::keepNumbers(std::string_view tool, const app::Numbers& numbers)
+{
+    bench_.kept[tool] = numbers;
+    emit hintChanged(); // it may name them
+}
+
 void Controller::setCapsulePlace(const QRectF& place)
 {
     if (std::exchange(capsulePlace_, place) != place)

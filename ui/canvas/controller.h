@@ -63,6 +63,8 @@ public:
     const ToolInfo& toolInfo() const { return *toolInfo_; }
     const Tool& tool() const { return *tool_; }
     const Workbench& bench() const { return bench_; }
+    /// For the next object of a tool.
+    void keepNumbers(std::string_view tool, const app::Numbers& numbers);
     QString hint() const;
     QCursor cursor() const;
     const std::optional<Pointer>& pointer() const { return pointer_; }

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers of the next shape, in the bar across the top.
+#include "ui/bars/option_bar.h"
+#include "ui/bars/shape_options.h"
+#include "ui/widgets/length_field.h"
+
+#include <QSpinBox>
+
+#include "tests/test_class.h"
+#include "tests/ui/test_window.h"
+
+namespace bars_shape_options_test {
+
+using namespace ui;
+
+class ShapeOptionsTest : public QObject {
+    Q_OBJECT
+
+    struct Bar : TestWindow {
+        Bar()
+        {
+            open(twoLines());
+            show();
+            window->resize(1280, 800);
+        }
+        ShapeOptions& row() { return *window->optionBar().findChild<ShapeOptions*>(); }
+        template <class Field>
+        Field* field(const char* name)
+        {
+            for (auto* field : row().findChildren<Field*>())
+                if (field->accessibleName() == name)
+                    return field;
+            return nullptr;
+        }
+        template <class Field>
+        void type(const char* name, const char* text)
+        {
+            auto* in = field<Field>(name);
+            QTRY_VERIFY(in->isVisible());
+            in->setFocus();
+            in->selectAll();
+            QTest::keyClicks(in, text);
+            QTest::keyClick(in, Qt::Key_Return);
+            QCOMPARE(window->focusWidget(), drawingArea());
+        }
+        void drag()
+        {
+            const QPoint from = drawingArea()->rect().center();
+            QTest::mousePress(drawingArea(), Qt::LeftButton, {}, from);
+            for (const int by : {20, 60})
+                QTest::mouseMove(drawingArea(), from + QPoint(by, by / 2));
+            QTest::mouseRelease(drawingArea(), Qt::LeftButton, {}, from + QPoint(60, 30));
+        }
+        app::Recipe drawn()
+        {
+            const auto& objects = window->session().now().objects();
+            return objects[objects.size() - 1].particulars().recipe;
+        }
+    };
+
+private slots:
+    void theyAreThereForTheirToolsAlone()
+    {
+        Bar bar;
+        for (const char* tool : {"select", "line", "polygon", "star", "rectangle", "ellipse"}) {
+            bar.window->canvas().setTool(tool);
+            QTRY_COMPARE(bar.field<QSpinBox>("Sides")->isVisible(), tool == QByteArray("polygon"));
+            QTRY_COMPARE(bar.field<QSpinBox>("Points")->isVisible(), tool == QByteArray("star"));
+            QTRY_COMPARE(bar.field<LengthField>("Corner radius")->isVisible(),
+                         tool == QByteArray("rectangle"));
+        }
+    }
+    void theNextShapeHasThem()
+    {
+        Bar bar;
+        bar.window->canvas().setTool("polygon");
+        bar.type<QSpinBox>("Sides", "7");
+        bar.drag();
+        QCOMPARE(std::get<app::StarRecipe>(bar.drawn()).points, 7);
+        bar.window->canvas().setTool("star");
+        bar.type<QSpinBox>("Points", "8");
+        bar.type<QSpinBox>("Inner radius", "50");
+        bar.drag();
+        const auto star = std::get<app::StarRecipe>(bar.drawn());
+        QCOMPARE(star.points, 8);
+        QVERIFY(std::abs(star.inner / star.outer - 0.5) < 1e-12);
+        bar.window->canvas().setTool("rectangle");
+        bar.type<LengthField>("Corner radius", "2");
+        bar.drag();
+        QVERIFY(std::get<app::RectangleRecipe>(bar.drawn()).radius > 0);
+    }
+    void theyFollowWhatWasDrawn()
+    {
+        Bar bar;
+        bar.window->canvas().setTool("polygon");
+        const QPoint from = bar.drawingArea()->rect().center();
+        QTest::mousePress(bar.drawingArea(), Qt::LeftButton, {}, from);
+        for (const int by : {20, 60})
+            QTest::mouseMove(bar.drawingArea(), from + QPoint(by, by / 2));
+        QTest::keyClick(bar.drawingArea(), Qt::Key_Up);
+        QTest::mouseRelease(bar.drawingArea(), Qt::LeftButton, {}, from + QPoint(60, 30));
+        QTRY_COMPARE(bar.field<QSpinBox>("Sides")->value(), 7);
+    }
+    void clipWindowsHaveThemToo()
+    {
+        Bar bar;
+        app::Session& session = bar.window->session();
+        bar.window->canvas().setTool("window");
+        QTRY_VERIFY(!bar.field<QSpinBox>("Points")->isVisible());
+        session.windowPen.kind = "star";
+        emit session.displayChanged();
+        QTRY_VERIFY(bar.field<QSpinBox>("Points")->isVisible());
+    }
+};
+
+} // namespace bars_shape_options_test
+
+TEST_CLASS(bars_shape_options_test::ShapeOptionsTest, Widgets)
+#include "tests/ui/bars/shape_options_test.moc"
