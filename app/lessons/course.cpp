@@ -35,6 +35,7 @@ void Course::begin(std::size_t lesson)
 {
     if (lesson >= lessons().size())
         return;
+    left_.reset();
     lesson_ = lesson;
     page_ = 0;
     answers_.assign(pages(), {});
@@ -44,6 +45,14 @@ void Course::begin(std::size_t lesson)
 
 void Course::beginOrGoOn(std::size_t lesson)
 {
+    if (!lesson_ && left_ && left_->lesson == lesson) {
+        lesson_ = lesson;
+        page_ = left_->page;
+        answers_ = std::move(left_->answers);
+        points_ = std::move(left_->points);
+        left_.reset();
+        return showAgain();
+    }
     if (lesson_ != lesson || atEnd())
         return begin(lesson);
     paused_ = false;
@@ -59,6 +68,10 @@ void Course::pause()
 void Course::end()
 {
     const bool covers = lesson() && isOpen();
+    if (atEnd())
+        left_.reset();
+    else if (lesson_)
+        left_ = Left{*lesson_, page_, answers_, points_};
     lesson_.reset();
     question_.reset();
     answers_.clear();
@@ -69,7 +82,17 @@ void Course::end()
     emit changed();
 }
 
+std::optional<std::size_t> Course::lessonToGoOn() const
+{
+    return lesson_ ? lesson_ : left_ ? std::optional(left_->lesson) : std::nullopt;
+}
+
 const Lesson* Course::lesson() const { return lesson_ ? &lessons()[*lesson_] : nullptr; }
+
+LessonParts Course::shows() const
+{
+    return lesson() && !paused_ ? lesson()->pages[page_].shows : LessonParts{};
+}
 
 QString Course::told() const
 {

@@ -42,18 +42,24 @@ public:
     /// Starts a lesson at its first page and opens the microscope.
     void begin(std::size_t lesson);
     /// Leaves the microscope unchanged, but closes it while a question is open, whose answer it
-    /// would reveal.
+    /// would reveal. A lesson that is not at its end is remembered with its page and answers.
     void end();
     const Lesson* lesson() const; ///< null: no lesson is in progress
     /// The reader looks at the list of lessons; the lesson stays at its page.
     void pause();
     bool isPaused() const { return paused_; }
-    /// Starts the lesson, or goes on with it if it is in progress and not at its end.
+    /// Starts the lesson, or goes on with it if it was left or paused before its end.
     void beginOrGoOn(std::size_t lesson);
+    /// The lesson that goes on where it was left or paused; empty: none.
+    std::optional<std::size_t> lessonToGoOn() const;
+    /// The page at which that lesson goes on.
+    std::size_t pageToGoOn() const { return lesson() ? page_ : left_ ? left_->page : 0; }
     std::size_t lessonIndex() const { return lesson_.value_or(0); }
 
     std::size_t page() const { return page_; }
     std::size_t pages() const { return lesson() ? lesson()->pages.size() : 0; }
+    /// What is shown beside the figure; nothing before a lesson and while its list is looked at.
+    LessonParts shows() const;
     const QString& text() const { return lesson()->pages[page_].text; }
     /// The page's explanation after its question is settled; empty before. It is about the page's
     /// own line, and says so if the reader answered about another.
@@ -96,7 +102,15 @@ private:
     void settle();
     int rightWorth(int points) const; ///< how many questions earned that many points
 
+    /// A lesson that was left before its end.
+    struct Left {
+        std::size_t lesson, page;
+        std::vector<Answer> answers;
+        std::vector<int> points;
+    };
+
     Microscope& microscope_;
+    std::optional<Left> left_; ///< only while no lesson is in progress
     std::optional<std::size_t> lesson_;
     std::size_t page_ = 0;
     std::optional<Question> question_;

@@ -78,6 +78,29 @@ std::optional<WantedStep> stepOf(const QString& word)
                : std::nullopt;
 }
 
+/// "code variables": the parts that a page shows; "nothing" for none. Empty for any other word.
+std::optional<LessonParts> partsOf(const QStringList& words)
+{
+    struct Row {
+        const char* word;
+        bool LessonParts::*part;
+    };
+    static constexpr std::array rows{
+        Row{"code", &LessonParts::code}, Row{"variables", &LessonParts::variables},
+        Row{"operations", &LessonParts::operations}, Row{"steps", &LessonParts::steps}};
+    LessonParts parts;
+    if (words == QStringList(QStringLiteral("nothing")))
+        return parts;
+    for (const QString& word : words) {
+        const auto row = std::ranges::find_if(
+            rows, [&](const Row& r) { return word == QLatin1StringView(r.word); });
+        if (row == rows.end())
+            return std::nullopt;
+        parts.*row->part = true;
+    }
+    return words.isEmpty() ? std::nullopt : std::optional(parts);
+}
+
 /// The state of the parser.
 struct Reading {
     Lesson lesson;
@@ -109,6 +132,11 @@ struct Reading {
             looked = looked || tracedLine;
             return tracedLine.has_value();
         }
+        if (what == QStringLiteral("shows")) {
+            const auto parts = partsOf(words.mid(1));
+            page.shows = parts.value_or(page.shows);
+            return parts.has_value();
+        }
         if (what == QStringLiteral("step") && words.size() == 2 && stepOf(words[1]))
             page.step = words[1];
         else if (what == QStringLiteral("ask") && words.size() >= 2 && !page.question)
@@ -127,7 +155,8 @@ struct Reading {
             return false;
         page.tracedLine.origin = lesson.title;
         lesson.pages.push_back(page);
-        page = {.text = {}, .tracedLine = page.tracedLine}; // the next page keeps the traced line
+        // The next page keeps the traced line and the parts.
+        page = {.text = {}, .tracedLine = page.tracedLine, .shows = page.shows};
         return true;
     }
 };

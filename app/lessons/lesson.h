@@ -14,6 +14,15 @@ struct QuestionSpec {
     QStringList words;
 };
 
+/// What a page shows beside the figure. A page shows only what it explains or uses.
+struct LessonParts {
+    bool code = false;       ///< the pseudo-code
+    bool variables = false;  ///< the table of variables
+    bool operations = false; ///< the operations so far
+    bool steps = false;      ///< the sentence and the timeline of the steps
+    friend bool operator==(const LessonParts&, const LessonParts&) = default;
+};
+
 /// One page of a lesson: the text, and the traced line in the microscope. y points up.
 struct LessonPage {
     QString text;   ///< markdown; it asks before it explains
@@ -22,6 +31,7 @@ struct LessonPage {
     TracedLine tracedLine{};
     QString step{}; ///< "first", "last", a number from 1, or the mark of a step: "cut"
     std::optional<QuestionSpec> question{};
+    LessonParts shows{};
 };
 
 /// A lesson: a file in resources/lessons/, whose README explains the format.

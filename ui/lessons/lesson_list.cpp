@@ -43,10 +43,11 @@ public:
             words_ +=
                 u'\n'
                 + Text::tr("Best: %1 of %2 points").arg(*points).arg(app::mostPoints(lesson_));
-        if (course_.lesson() == &lesson_)
-            words_ +=
-                u'\n'
-                + Text::tr("Go on at page %1 of %2").arg(course_.page() + 1).arg(course_.pages());
+        if (const auto on = course_.lessonToGoOn(); on && &app::lessons()[*on] == &lesson_)
+            words_ += u'\n'
+                      + Text::tr("Go on at page %1 of %2")
+                            .arg(course_.pageToGoOn() + 1)
+                            .arg(lesson_.pages.size());
         setAccessibleDescription(passed_ ? words_ + u'\n' + Text::tr("Passed") : words_);
         updateGeometry();
         update();
@@ -146,10 +147,7 @@ LessonList::LessonList(const app::Course& course, QWidget* parent)
     refresh();
 }
 
-void LessonList::focusOnLesson()
-{
-    buttons_[course_.lesson() ? int(course_.lessonIndex()) : 0]->setFocus();
-}
+void LessonList::focusOnLesson() { buttons_[int(course_.lessonToGoOn().value_or(0))]->setFocus(); }
 
 void LessonList::refresh()
 {

@@ -206,7 +206,7 @@ void LessonPanel::showPage()
     setCurrentIndex(reads ? 1 : 0);
     list_->refresh();
     if (!reads) {
-        setFocusProxy(list_->buttons().front());
+        setFocusProxy(list_->buttons()[int(course_.lessonToGoOn().value_or(0))]);
         return;
     }
     title_->setText(course_.lesson()->title);

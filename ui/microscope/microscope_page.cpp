@@ -30,6 +30,9 @@ namespace ui {
 namespace {
 
 constexpr int rightWidth = 428, narrowRight = 300, wide = 1200; // pixels
+constexpr int lessonRight = 344;                                // beside a lesson
+constexpr int lessonWidth = 480, narrowLesson = 380;
+constexpr int leastMiddle = 320;
 constexpr QSize overviewSize(172, 130), smallOverview(116, 88), leastForOverview(400, 260);
 
 QWidget* underHeading(Heading* heading, QWidget* body)
@@ -67,7 +70,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
       bar_(new MicroscopeBar(session.microscope, drawn)),
       view_(new MicroscopeView(session.microscope)), steps_(new StepsPanel(session.microscope)),
       code_(new CodeView), variables_(new VariablesPanel), operations_(new OperationsView),
-      overview_(new Overview(session, view_)), place_(new QLabel(view_)),
+      overview_(new Overview(session, view_)), place_(new QLabel(view_)), leave_(linkButton()),
       back_(new QToolButton(view_)), fit_(new QToolButton(view_)),
       variablesCover_(new AnswerCover(&variables_->table())),
       operationsCover_(new AnswerCover(operations_)), across_(splitter(Qt::Horizontal)),
@@ -83,6 +86,12 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     back_->setObjectName(QStringLiteral("back-to-line"));
     fit_->setText(Text::tr("Fit"));
     fit_->setToolTip(Text::tr("Fit the clip window and the line into the view (double click)"));
+    leave_->setParent(view_);
+    leave_->setText(Text::tr("Leave the lesson (Esc)"));
+    leave_->setAccessibleName(Text::tr("Leave the lesson"));
+    leave_->setToolTip(Text::tr("Return to the drawing; the lesson remembers its page"));
+    leave_->setObjectName(QStringLiteral("leave-lesson"));
+    leave_->hide();
     for (QToolButton* button : {back_, fit_}) {
         button->setProperty("framed", true);
         button->setFocusPolicy(Qt::TabFocus);
@@ -94,7 +103,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     down_->addWidget(steps_);
     down_->setStretchFactor(0, 1);
     across_->addWidget(down_);
-    across_->addWidget(makeRight());
+    across_->addWidget(beside_ = makeRight());
     across_->setStretchFactor(0, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -121,6 +130,8 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     connect(view_, &MicroscopeView::pointerMoved, this, &MicroscopePage::pointerMoved);
     connect(view_, &MicroscopeView::hinted, this, &MicroscopePage::hinted);
     connect(view_, &MicroscopeView::framed, this, &MicroscopePage::placeOverview);
+    connect(&session.course, &app::Course::changed, this, &MicroscopePage::showParts);
+    connect(leave_, &QToolButton::clicked, this, &MicroscopePage::closeWanted);
     connect(back_, &QToolButton::clicked, &drawn, &app::DrawnLine::back);
     connect(fit_, &QToolButton::clicked, view_, &MicroscopeView::fit);
     for (const QSplitter* parts : {across_, down_, right_})
@@ -140,7 +151,7 @@ QWidget* MicroscopePage::makeRight()
     code->add(about);
     connect(about, &QToolButton::clicked, this,
             [this] { emit aboutWanted(session_.microscope.tracedLine().variant.algorithm); });
-    right_->addWidget(underHeading(code, code_));
+    right_->addWidget(codeBox_ = underHeading(code, code_));
     right_->addWidget(variables_);
     right_->setStretchFactor(0, 1);
     right_->setStretchFactor(1, 0);
@@ -151,8 +162,8 @@ QWidget* MicroscopePage::makeRight()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(right_, 1);
-    column->addWidget(new Heading(Text::tr("Operations so far")));
-    column->addWidget(operations_);
+    operationsBox_ = underHeading(new Heading(Text::tr("Operations so far")), operations_);
+    column->addWidget(operationsBox_);
     return all;
 }
 
@@ -222,7 +233,7 @@ void MicroscopePage::showPlace()
     if (!at.isEmpty())
         lines << at;
     place_->setText(lines.join(u'\n'));
-    overview_->setVisible(drawn_.line().has_value() && hasRoomForOverview());
+    place_->setVisible(!side_);
     back_->setVisible(drawn_.changed());
     placeOverview();
 }
@@ -234,16 +245,18 @@ bool MicroscopePage::hasRoomForOverview() const
            && view_->height() >= leastForOverview.height();
 }
 
+/// The widgets over the view, from top to bottom, below the overview.
+QList<QWidget*> MicroscopePage::corner() const { return {leave_, place_, back_, fit_}; }
+
 /// Places the widgets over the view in the corner where they hide least.
 void MicroscopePage::placeOverview()
 {
-    overview_->setVisible(drawn_.line().has_value() && hasRoomForOverview());
+    overview_->setVisible(drawn_.line().has_value() && !side_ && hasRoomForOverview());
     const bool small = view_->width() < 560 || view_->height() < 360;
     const QSize size = overview_->isHidden() ? QSize(0, 0) : small ? smallOverview : overviewSize;
     fit_->setVisible(!view_->fitted());
     int width = size.width(), height = size.height();
-    for (QWidget* part : {static_cast<QWidget*>(place_), static_cast<QWidget*>(back_),
-                          static_cast<QWidget*>(fit_)}) {
+    for (QWidget* part : corner()) {
         part == place_ ? wrap(*place_, overviewSize.width()) : part->adjustSize();
         if (part->isHidden())
             continue;
@@ -257,8 +270,7 @@ void MicroscopePage::placeOverview()
     };
     overview_->setGeometry(QRect({left(size.width()), all.top()}, size));
     int y = all.top() + size.height() + 4;
-    for (QWidget* part : {static_cast<QWidget*>(place_), static_cast<QWidget*>(back_),
-                          static_cast<QWidget*>(fit_)}) {
+    for (QWidget* part : corner()) {
         part->move(left(part->width()), y);
         y += part->isHidden() ? 0 : part->height() + 4;
     }
@@ -268,15 +280,18 @@ void MicroscopePage::placeOverview()
 }
 
 /// Keeps the current corner while the line is not there, in a gesture and in a view that was moved.
-/// A fitted view depends on nothing that was before.
+/// A fitted view depends on nothing that was before. What leaves a lesson is always at the same
+/// place.
 QRect MicroscopePage::cornerFor(const QSize& size)
 {
     const app::Microscope& microscope = session_.microscope;
     const auto& traced = microscope.tracedLine();
     const auto& frame = view_->frame();
+    if (side_)
+        corner_ = Qt::TopRightCorner;
     app::CornerPlace place = app::placeIn(corner_, size, traced, microscope.narration(), frame);
     const bool stays = !view_->fitted() || view_->drags();
-    if (!stays || place.covered >= app::hidesLine)
+    if (!side_ && (!stays || place.covered >= app::hidesLine))
         place = app::quietCorner(size, traced, microscope.narration(), frame);
     corner_ = place.corner;
     return {place.box.topLeft().toPoint(), size};
@@ -289,29 +304,83 @@ void MicroscopePage::setSide(QWidget* side)
     if (side == side_)
         return;
     if (QWidget* before = std::exchange(side_, side)) {
+        before->setParent(this); // no longer one of the shares
         before->hide();
         before->deleteLater(); // Deleted later: it may have sent the signal
     }
+    if (side) {
+        keepShares();
+        across_->insertWidget(0, side);
+        across_->setStretchFactor(0, 0);
+        across_->setStretchFactor(1, 1);
+    }
+    showParts();
+    showPlace();
     if (!side)
-        return;
-    across_->insertWidget(0, side);
-    across_->setStretchFactor(0, 0);
-    across_->setStretchFactor(1, 1);
+        restoreShares();
+}
+
+/// All parts, or those that the page of a lesson shows.
+void MicroscopePage::showParts()
+{
+    constexpr app::LessonParts all{
+        .code = true, .variables = true, .operations = true, .steps = true};
+    const app::LessonParts shown = side_ ? session_.course.shows() : all;
+    const bool reads = side_ && session_.course.lesson() && !session_.course.isPaused();
+    if (leave_->isHidden() == reads) {
+        leave_->setVisible(reads);
+        placeOverview();
+    }
+    bar_->setVisible(!side_);
+    steps_->setVisible(shown.steps);
+    codeBox_->setVisible(shown.code);
+    variables_->setVisible(shown.variables);
+    right_->setVisible(shown.code || shown.variables);
+    operationsBox_->setVisible(shown.operations);
+    const bool besideBefore = !beside_->isHidden();
+    beside_->setVisible(shown.code || shown.variables || shown.operations);
+    if (besideBefore == beside_->isHidden() && side_)
+        shareAcross();
 }
 
 /// Gives the right column its designed width if there is room, and the steps their preferred
 /// height.
 void MicroscopePage::share()
 {
-    const int right = width() < wide ? narrowRight : rightWidth;
-    const int left = side_ ? side_->sizeHint().width() : 0;
-    const int middle = std::max(320, width() - right - left);
-    across_->setSizes(side_ ? QList{left, middle, right} : QList{middle, right});
-    const int all = height() - bar_->height();
+    shareAcross();
+    const int all = height() - (bar_->isHidden() ? 0 : bar_->height());
     const int steps = all < 620 ? steps_->minimumSizeHint().height() : steps_->sizeHint().height();
     down_->setSizes({std::max(180, all - steps), steps});
     const int variables = variables_->sizeHint().height();
     right_->setSizes({std::max(variables, right_->height() - variables), variables});
+}
+
+void MicroscopePage::shareAcross()
+{
+    const int right = width() < wide ? narrowRight : side_ ? lessonRight : rightWidth;
+    const int left = !side_ ? 0 : width() < wide ? narrowLesson : lessonWidth;
+    const int taken = left + (beside_->isHidden() ? 0 : right) + 2 * across_->handleWidth();
+    const int middle = std::max(leastMiddle, width() - taken);
+    across_->setSizes(side_ ? QList{left, middle, right} : QList{middle, right});
+}
+
+void MicroscopePage::keepShares()
+{
+    if (ownShares_ && !sharesBefore_)
+        sharesBefore_ = {across_->saveState(), down_->saveState(), right_->saveState()};
+    ownShares_ = false;
+}
+
+/// The shares as they were before the lessons.
+void MicroscopePage::restoreShares()
+{
+    const auto before = std::exchange(sharesBefore_, std::nullopt);
+    ownShares_ = before.has_value();
+    if (!before)
+        return share();
+    across_->restoreState(before->at(0));
+    down_->restoreState(before->at(1));
+    right_->restoreState(before->at(2));
 }
 
 void MicroscopePage::resizeEvent(QResizeEvent* event)

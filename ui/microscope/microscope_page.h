@@ -26,8 +26,9 @@ class MicroscopePage : public QWidget {
 public:
     MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWidget* parent = nullptr);
 
-    /// Puts a widget, such as a lesson, at the left side. The page takes ownership and deletes the
-    /// previous side widget. Null: none.
+    /// Puts the lessons at the left side. The page takes ownership and deletes the previous side
+    /// widget. Beside lessons the page shows the figure, and of the other parts only those that the
+    /// lesson's page names. Null: no lessons; all parts are shown as they were before.
     void setSide(QWidget* side);
     QWidget* side() const { return side_; }
 
@@ -52,14 +53,19 @@ protected:
 
 private:
     QWidget* makeRight();
+    void showParts();
     void addKeys();
     void useDigit(int digit);
     void showStep();
     void showPlace();
+    QList<QWidget*> corner() const;
     void placeOverview();
     bool hasRoomForOverview() const;
     QRect cornerFor(const QSize& size);
     void share();
+    void shareAcross();
+    void keepShares();
+    void restoreShares();
 
     app::Session& session_;
     app::DrawnLine& drawn_;
@@ -71,12 +77,14 @@ private:
     OperationsView* operations_;
     Overview* overview_;
     QLabel* place_;
-    QToolButton *back_, *fit_;
+    QToolButton *leave_, *back_, *fit_;
     AnswerCover *variablesCover_, *operationsCover_;
     QSplitter *across_, *down_, *right_;
+    QWidget *beside_, *codeBox_, *operationsBox_; ///< the right column, and two parts of it
     Qt::Corner corner_ = Qt::TopLeftCorner; ///< the corner of the view that holds the overview
     QWidget* side_ = nullptr;
-    bool ownShares_ = false; ///< the person has moved a splitter
+    bool ownShares_ = false;                        ///< the person has moved a splitter
+    std::optional<QList<QByteArray>> sharesBefore_; ///< the person's own, before the lessons
 };
 
 } // namespace ui

@@ -112,7 +112,7 @@ void MainWindow::addModes()
 {
     modes_ = std::make_unique<Modes>(
         session_, drawnLine_, *canvas_,
-        Modes::Parts{*this, sheets_, *centre_, *panelLayout_, {optionBar_, toolBar_}});
+        Modes::Parts{*this, sheets_, *centre_, *panelLayout_, {optionBar_, toolBar_}, *status_});
     connect(modes_.get(), &Modes::changed, this, &MainWindow::refreshActions);
     connect(&modes_->microscope(), &MicroscopeMode::made, this, &MainWindow::connectMicroscope);
     connect(&modes_->tiles(), &TilesMode::made, this, &MainWindow::connectTiles);

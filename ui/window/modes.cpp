@@ -10,12 +10,15 @@
 
 namespace ui {
 
-Mode modeOf(const app::Session& session, const app::LiveSheets& sheets)
+Mode modeOf(const app::Session& session, const app::LiveSheets& sheets, Beside beside)
 {
+    const bool lessons = beside == Beside::Lessons;
+    if (session.display().presenting && session.microscope.isOpen())
+        return lessons ? Mode::PresentingLessons : Mode::PresentingMicroscope;
     if (session.display().presenting)
-        return session.microscope.isOpen() ? Mode::PresentingMicroscope : Mode::Presenting;
+        return Mode::Presenting;
     if (session.microscope.isOpen())
-        return Mode::Microscope;
+        return lessons ? Mode::Lessons : Mode::Microscope;
     return sheets.isOpen() ? Mode::Tiles : Mode::Editing;
 }
 
@@ -26,7 +29,7 @@ Modes::Modes(app::Session& session, app::DrawnLine& drawn, Canvas& canvas, Parts
 {
     connect(&session.microscope, &app::Microscope::openChanged, this, &Modes::followMicroscope);
     connect(&parts_.sheets, &app::LiveSheets::openChanged, this, &Modes::followSheets);
-    connect(&microscope_, &MicroscopeMode::lessonsToggled, this, &Modes::changed);
+    connect(&microscope_, &MicroscopeMode::lessonsToggled, this, &Modes::followLessons);
 }
 
 void Modes::followMicroscope()
@@ -38,6 +41,14 @@ void Modes::followMicroscope()
     fit();
     if (!open)
         microscope_.returnFocus();
+    emit changed();
+}
+
+/// Lessons that end with the microscope are followed by followMicroscope.
+void Modes::followLessons()
+{
+    if (session_.microscope.isOpen())
+        fit();
     emit changed();
 }
 
@@ -66,10 +77,16 @@ void Modes::togglePresenting()
     emit changed();
 }
 
+Mode Modes::mode() const
+{
+    return modeOf(session_, parts_.sheets,
+                  microscope_.showsLessons() ? Beside::Lessons : Beside::Nothing);
+}
+
 /// Shows the parts of the session's mode. The panels come back last, when the centre has its size.
 void Modes::fit()
 {
-    const ModeParts shown = partsOf(modeOf(session_, parts_.sheets));
+    const ModeParts shown = partsOf(mode());
     if (!shown.panels)
         parts_.panels.hideAll();
     fitBars(shown);
@@ -83,6 +100,7 @@ void Modes::fit()
 
 void Modes::fitBars(const ModeParts& shown)
 {
+    parts_.status.setVisible(shown.status);
     if (!barsOfEditing_) {
         barsOfEditing_.emplace();
         for (QToolBar* bar : parts_.bars)

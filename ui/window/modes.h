@@ -14,10 +14,23 @@ class PanelLayout;
 /// What the window is used for. Presenting is entered and left at any time, also with the
 /// microscope open, and the microscope also while presenting; lessons are part of the microscope.
 /// Both of them close the tiles, which are entered from the drawing.
-enum class Mode : std::uint8_t { Editing, Microscope, Presenting, PresentingMicroscope, Tiles };
+enum class Mode : std::uint8_t {
+    Editing,
+    Microscope,
+    Lessons,
+    Presenting,
+    PresentingMicroscope,
+    PresentingLessons,
+    Tiles
+};
 
-/// The mode that a session and its sheets ask for. They alone say which mode is on.
-Mode modeOf(const app::Session& session, const app::LiveSheets& sheets);
+/// Whether the lessons are shown beside the microscope.
+enum class Beside : std::uint8_t { Nothing, Lessons };
+
+/// The mode that a session and its sheets ask for. They alone say which mode is on, except that the
+/// page of the microscope knows what is shown beside it.
+Mode modeOf(const app::Session& session, const app::LiveSheets& sheets,
+            Beside beside = Beside::Nothing);
 
 /// The parts of the window that a mode shows.
 struct ModeParts {
@@ -26,18 +39,22 @@ struct ModeParts {
     bool barAcross; ///< the horizontal tool bar, with the options; microscope and tiles have their
                     ///< own
     bool barAtSide; ///< the vertical tool bar, with the tools
+    bool status;    ///< the status bar
 };
 constexpr ModeParts partsOf(Mode mode)
 {
     using enum Mode;
-    const bool microscope = mode == Microscope || mode == PresentingMicroscope;
-    const bool presenting = mode == Presenting || mode == PresentingMicroscope;
+    const bool lessons = mode == Lessons || mode == PresentingLessons;
+    const bool microscope = lessons || mode == Microscope || mode == PresentingMicroscope;
+    const bool presenting =
+        mode == Presenting || mode == PresentingMicroscope || mode == PresentingLessons;
     const bool tiles = mode == Tiles;
     return {.microscope = microscope,
             .tiles = tiles,
             .panels = !microscope && !presenting && !tiles,
             .barAcross = !microscope && !tiles,
-            .barAtSide = !presenting && !tiles};
+            .barAtSide = !presenting && !tiles && !lessons,
+            .status = !lessons};
 }
 
 /// Takes a window from one mode to another. Panels and bars that were shown in Editing are shown
@@ -53,6 +70,7 @@ public:
         Centre& centre;
         PanelLayout& panels;
         QList<QToolBar*> bars;
+        QWidget& status; ///< the status bar
     };
     Modes(app::Session& session, app::DrawnLine& drawn, Canvas& canvas, Parts parts);
 
@@ -67,6 +85,8 @@ signals:
 private:
     void followMicroscope();
     void followSheets();
+    void followLessons();
+    Mode mode() const;
     void fit();
     void fitBars(const ModeParts& shown);
 

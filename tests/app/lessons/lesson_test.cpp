@@ -346,6 +346,35 @@ private slots:
         QCOMPARE(course.page(), std::size_t(0));
         QCOMPARE(course.lessonIndex(), std::size_t(2));
     }
+    void aLessonThatWasLeftGoesOnAtItsPage()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        QVERIFY(!course.lessonToGoOn());
+        course.begin(1);
+        course.choose(course.question()->right);
+        course.next();
+        const app::TracedLine line = microscope.tracedLine();
+        course.end();
+        QVERIFY(!course.lesson() && !microscope.isOpen());
+        QCOMPARE(course.lessonToGoOn(), std::optional(std::size_t(1)));
+        QCOMPARE(course.pageToGoOn(), std::size_t(1));
+        course.beginOrGoOn(1);
+        QVERIFY(course.asks() && microscope.isCovered());
+        QCOMPARE(microscope.tracedLine(), line);
+        QCOMPARE(course.page(), std::size_t(1));
+        QCOMPARE(course.score(), (app::Score{1, 2}));
+        course.end();
+        course.beginOrGoOn(2); // another one begins
+        QCOMPARE(course.page(), std::size_t(0));
+        QCOMPARE(course.score(), (app::Score{0, 0}));
+        while (!course.atEnd()) {
+            course.showAnswer();
+            course.next();
+        }
+        course.end(); // a lesson that is read begins again
+        QVERIFY(!course.lessonToGoOn());
+    }
     void aLessonIsPassedByThreeQuartersOfItsPoints()
     {
         for (const Lesson& lesson : app::lessons()) {
@@ -455,6 +484,46 @@ private slots:
         QVERIFY(!asked(crossing, {"region", "3"}));
         QVERIFY(!asked(crossing, {"nonsense"}));
     }
+    /// What a page's texts name or use stands beside its figure.
+    void pagesShowWhatTheyName()
+    {
+        const auto isExplained = [](const app::LessonPage& page, const app::LessonParts& shown) {
+            const QString kind = page.question ? page.question->kind : QString();
+            const QString text = page.text + page.told;
+            const bool follows = kind == "next" || kind == "edge"; // read on in the code
+            return (!follows || (shown.code && shown.variables && shown.steps))
+                   && (!text.contains("table of variables") || shown.variables)
+                   && (!text.contains("*Operations so far*") || shown.operations)
+                   && (!text.contains("**Space**") || shown.steps);
+        };
+        int quiet = 0;
+        for (const Lesson& lesson : app::lessons())
+            for (const app::LessonPage& page : lesson.pages) {
+                QVERIFY2(isExplained(page, page.shows), qPrintable(lesson.key + ": " + page.text));
+                quiet += page.shows == app::LessonParts{};
+            }
+        QVERIFY(quiet >= 8);
+    }
+    void theFirstLessonShowsTheFigureAlone()
+    {
+        const auto& pages = app::lessons().front().pages;
+        for (std::size_t i = 0; i + 1 < pages.size(); ++i)
+            QCOMPARE(pages[i].shows, app::LessonParts{});
+    }
+    void partsAreKeptByTheFollowingPages()
+    {
+        const auto lesson = app::readLesson(
+            QStringLiteral("x"),
+            QStringLiteral("# T\n:: look cs line 0,0 1,1 window 0,0 1,1\na\n---\n"
+                           ":: shows code steps\nb\n---\nc\n---\n:: shows nothing\nd"));
+        QVERIFY(lesson);
+        const auto& pages = lesson.value->pages;
+        const app::LessonParts both{.code = true, .steps = true};
+        QCOMPARE(pages[0].shows, app::LessonParts{});
+        QCOMPARE(pages[1].shows, both);
+        QCOMPARE(pages[2].shows, both);
+        QCOMPARE(pages[3].shows, app::LessonParts{});
+    }
     void errorsNameTheirLine()
     {
         const auto error = [](const char* text) {
@@ -467,6 +536,9 @@ private slots:
         for (const char* step : {"cutt", "0", "-1", "first-2", "cut-0", "cut-2-3"})
             QVERIFY2(error(QByteArray("# T\n> S\n:: step ") + step + "\nt").contains("line 3"),
                      step);
+        for (const char* parts : {"", " figure", " code nothing"})
+            QVERIFY2(error(QByteArray("# T\n> S\n:: shows") + parts + "\nt").contains("line 3"),
+                     parts);
         QVERIFY(error("# T\n> S\n:: hint of nothing\nt").contains("line 3"));
         QVERIFY(error("# T\n> S\n:: ask next\n:: ask edge\nt").contains("line 4"));
         QVERIFY(!error("# T\ntext, but nothing to look at").isEmpty());

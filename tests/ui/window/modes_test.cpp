@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QToolBar>
 
 #include "tests/test_class.h"
@@ -22,7 +23,7 @@ using namespace ui;
 
 namespace {
 
-/// A window with a canvas, two bars and plain panels, but without menus and status bar.
+/// A window with a canvas, two bars and plain panels, but without menus.
 class Stage {
 public:
     Stage()
@@ -37,7 +38,8 @@ public:
         window().addToolBar(Qt::LeftToolBarArea, atSide);
         modes = std::make_unique<Modes>(
             session, drawn, *canvas,
-            Modes::Parts{window(), sheets, *centre, *plain.layout, {across, atSide}});
+            Modes::Parts{
+                window(), sheets, *centre, *plain.layout, {across, atSide}, *window().statusBar()});
         plain.show();
         window().activateWindow();
         canvas->setFocus();
@@ -54,6 +56,11 @@ public:
         sheets.isOpen() ? sheets.close() : sheets.open();
         QCoreApplication::processEvents();
     }
+    void showLessons()
+    {
+        modes->microscope().showLessons();
+        QCoreApplication::processEvents();
+    }
     void togglePresenting()
     {
         modes->togglePresenting();
@@ -62,9 +69,11 @@ public:
     /// What the window shows although its mode should not, or does not show although it should.
     QStringList faults()
     {
-        const Mode mode = modeOf(session, sheets);
+        const Beside beside =
+            modes->microscope().showsLessons() ? Beside::Lessons : Beside::Nothing;
+        const Mode mode = modeOf(session, sheets, beside);
         const ModeParts parts = partsOf(mode);
-        const bool presenting = mode == Mode::Presenting || mode == Mode::PresentingMicroscope;
+        const bool presenting = session.display().presenting;
         QStringList faults;
         const auto expect = [&faults](const char* what, bool shown, bool wanted) {
             if (shown != wanted)
@@ -76,6 +85,7 @@ public:
         expect("panels", !plain.inFront().empty(), parts.panels);
         expect("bar across", across->isVisible(), parts.barAcross);
         expect("bar at the side", atSide->isVisible(), parts.barAtSide);
+        expect("status bar", window().statusBar()->isVisible(), parts.status);
         expect("large type", QApplication::font().pointSizeF() > type * 1.4, presenting);
         return faults;
     }
@@ -107,10 +117,12 @@ private slots:
         QCOMPARE(modeOf(session, sheets), Mode::Editing);
         drawn.look();
         QCOMPARE(modeOf(session, sheets), Mode::Microscope);
+        QCOMPARE(modeOf(session, sheets, Beside::Lessons), Mode::Lessons);
         app::Display display = session.display();
         display.presenting = true;
         session.setDisplay(display);
         QCOMPARE(modeOf(session, sheets), Mode::PresentingMicroscope);
+        QCOMPARE(modeOf(session, sheets, Beside::Lessons), Mode::PresentingLessons);
         session.microscope.close();
         QCOMPARE(modeOf(session, sheets), Mode::Presenting);
     }
@@ -118,11 +130,14 @@ private slots:
     {
         QTest::addColumn<Mode>("mode");
         QTest::addColumn<QString>("shown");
-        QTest::newRow("editing") << Mode::Editing << "canvas, panels, bar across, bar at side";
-        QTest::newRow("microscope") << Mode::Microscope << "microscope, bar at side";
-        QTest::newRow("presenting") << Mode::Presenting << "canvas, bar across";
-        QTest::newRow("both") << Mode::PresentingMicroscope << "microscope";
-        QTest::newRow("tiles") << Mode::Tiles << "tiles";
+        QTest::newRow("editing") << Mode::Editing
+                                 << "canvas, panels, bar across, bar at side, status bar";
+        QTest::newRow("microscope") << Mode::Microscope << "microscope, bar at side, status bar";
+        QTest::newRow("lessons") << Mode::Lessons << "microscope";
+        QTest::newRow("presenting") << Mode::Presenting << "canvas, bar across, status bar";
+        QTest::newRow("both") << Mode::PresentingMicroscope << "microscope, status bar";
+        QTest::newRow("presented lessons") << Mode::PresentingLessons << "microscope";
+        QTest::newRow("tiles") << Mode::Tiles << "tiles, status bar";
     }
     void eachModeShowsItsParts()
     {
@@ -135,13 +150,17 @@ private slots:
             shown << "bar across";
         if (parts.barAtSide)
             shown << "bar at side";
+        if (parts.status)
+            shown << "status bar";
         QTEST(shown.join(", "), "shown");
     }
     void everyWayThroughTheModesEndsAsItBegan_data()
     {
-        QTest::addColumn<QString>("toggles"); // m: microscope, p: presenting, t: tiles
+        // m: microscope, p: presenting, t: tiles, l: lessons, which end with the microscope
+        QTest::addColumn<QString>("toggles");
         for (const char* toggles :
-             {"mm", "pp", "mpmp", "mppm", "pmpm", "pmmp", "mmppmpmp", "tt", "tmm", "mtt", "tpp"})
+             {"mm", "pp", "mpmp", "mppm", "pmpm", "pmmp", "mmppmpmp", "tt", "tmm", "mtt", "tpp",
+              "lm", "mlm", "lppm", "plmp", "lpmp", "ltt"})
             QTest::newRow(toggles) << QString(toggles);
     }
     void everyWayThroughTheModesEndsAsItBegan()
@@ -153,6 +172,7 @@ private slots:
         for (const QChar toggle : toggles) {
             toggle == u'm'   ? stage.toggleMicroscope()
             : toggle == u't' ? stage.toggleSheets()
+            : toggle == u'l' ? stage.showLessons()
                              : stage.togglePresenting();
             QCOMPARE(stage.faults().join(","), QString());
         }
