@@ -2,6 +2,7 @@
 #include "ui/microscope/microscope_view.h"
 
 #include "app/teaching/figure.h"
+#include "app/teaching/figure_text.h"
 #include "app/teaching/near_frame.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
@@ -30,9 +31,13 @@ MicroscopeView::MicroscopeView(app::Microscope& microscope, QWidget* parent)
     setMouseTracking(true);
     setAccessibleName(Text::tr("Line under the microscope"));
     setAttribute(Qt::WA_OpaquePaintEvent);
-    connect(&microscope, &app::Microscope::stepChanged, this, qOverload<>(&QWidget::update));
+    connect(&microscope, &app::Microscope::stepChanged, this, [this] {
+        describe();
+        update();
+    });
     connect(&microscope, &app::Microscope::tracedLineChanged, this, &MicroscopeView::follow);
     connect(&microscope, &app::Microscope::openChanged, this, &MicroscopeView::fit);
+    describe();
 }
 
 /// A line that another part of the program puts under the microscope is fitted, also in a view that
@@ -48,7 +53,17 @@ void MicroscopeView::follow()
     else if (fitted_ && !drag_ && !chosen_)
         refit();
     frame_.y = microscope_.tracedLine().y;
+    describe();
     update();
+}
+
+/// For screen readers: what an end that is chosen can do, otherwise the figure in words.
+void MicroscopeView::describe()
+{
+    setAccessibleDescription(chosen_
+                                 ? hint()
+                                 : app::figureText(microscope_.tracedLine(),
+                                                   microscope_.narration(), microscope_.step()));
 }
 
 void MicroscopeView::refit()
@@ -95,7 +110,7 @@ void MicroscopeView::choose(std::optional<LineEnd> end)
     if (end == chosen_)
         return;
     chosen_ = end;
-    setAccessibleDescription(end ? hint() : QString());
+    describe();
     emit hinted(hint());
     update();
 }

@@ -62,6 +62,7 @@ private:
     };
 
     void follow();
+    void describe();
     void refit();
     void keepInSight();
     void moveEnd(LineEnd end, const app::Point& point);
