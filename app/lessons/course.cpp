@@ -121,17 +121,25 @@ void Course::previous()
 
 void Course::showAgain()
 {
-    if (!lesson())
-        return;
-    const TracedLine& own = lesson()->pages[page_].tracedLine;
-    show(isOpen() ? own : answer().about.value_or(own));
+    if (lesson())
+        show(TracedLine(ownLine()));
 }
+
+/// The line that the page shows: its own, or of a settled question the one that was asked about.
+const TracedLine& Course::ownLine() const
+{
+    const TracedLine& own = lesson()->pages[page_].tracedLine;
+    return isOpen() || !answer().about ? own : *answer().about;
+}
+
+bool Course::isAway() const { return lesson() && microscope_.tracedLine() != ownLine(); }
 
 /// Covers the microscope's steps before it shows anything of the line.
 void Course::show(const TracedLine& tracedLine)
 {
     paused_ = false;
     ask(tracedLine);
+    away_ = isAway();
     emit changed();
 }
 
@@ -159,13 +167,18 @@ void Course::ask(const TracedLine& tracedLine)
 /// about that line.
 void Course::follow()
 {
-    if (showing_ || !lesson() || !isOpen())
+    if (showing_ || !lesson())
+        return;
+    const bool moved = std::exchange(away_, isAway()) != isAway();
+    if (!isOpen() && moved)
+        emit changed();
+    if (!isOpen())
         return;
     const auto before = std::exchange(question_, std::nullopt);
     const std::size_t tries = answer().tries.size(), step = microscope_.step();
     ask(microscope_.tracedLine());
     microscope_.goTo(step); // as far as it is not covered
-    if (question_.has_value() != before.has_value() || answer().tries.size() != tries
+    if (moved || question_.has_value() != before.has_value() || answer().tries.size() != tries
         || (question_
             && (question_->prompt != before->prompt || question_->choices != before->choices)))
         emit changed();
@@ -201,6 +214,14 @@ void Course::showAnswer()
     answers_[page_].about = asked_;
     answers_[page_].shown = true;
     settle();
+}
+
+void Course::skip()
+{
+    if (!isOpen())
+        return;
+    showAnswer();
+    next();
 }
 
 /// If the question is no longer open, uncovers the steps.

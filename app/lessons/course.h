@@ -69,6 +69,8 @@ public:
     void previous(); ///< the previous page, with the answer that was given there
     /// Shows the page's traced line again after the reader looked at something else.
     void showAgain();
+    /// Whether the microscope shows another line than the page's, or another algorithm.
+    bool isAway() const;
 
     /// The question about the line that is shown, or of a settled page about the line that was
     /// asked about. Empty if the page asks nothing, or if it cannot ask about the line.
@@ -86,6 +88,9 @@ public:
     /// shown, for the page's own line.
     void showAnswer();
 
+    /// Gives up an open question and goes on. On the last page the answer is shown.
+    void skip();
+
     Score score() const; ///< of this lesson so far
     /// Whether the last page is shown and its question is not open.
     bool atEnd() const { return lesson() && atLastPage() && !isOpen(); }
@@ -96,6 +101,7 @@ signals:
     void changed();
 
 private:
+    const TracedLine& ownLine() const;
     void follow();
     void show(const TracedLine& tracedLine);
     void ask(const TracedLine& tracedLine);
@@ -116,6 +122,7 @@ private:
     std::optional<Question> question_;
     TracedLine asked_; ///< the question is about it
     bool paused_ = false;
+    bool away_ = false;           ///< isAway() as last signalled
     bool showing_ = false;        ///< the microscope changes by this class
     std::vector<Answer> answers_; ///< one for each page
     std::vector<int> points_;     ///< one for each page

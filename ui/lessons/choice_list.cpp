@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/choice_list.h"
 
+#include "ui/lessons/page_type.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
+#include "ui/widgets/look_label.h"
 
 #include <QAccessible>
+#include <QPainter>
 
 #include <algorithm>
 
@@ -13,10 +16,36 @@ namespace ui {
 
 namespace {
 
+constexpr int inset = 16;
+
+/// A button whose text continues in further lines where it is narrow.
+class ChoiceButton : public QPushButton {
+public:
+    explicit ChoiceButton(const QString& text) : QPushButton(text), whole_(text) {}
+    QSize minimumSizeHint() const override { return {inset, sizeHint().height()}; }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override
+    {
+        QPushButton::resizeEvent(event);
+        QStringList lines(QString{});
+        for (const QString& word : whole_.split(u' ')) {
+            const QString longer = lines.back().isEmpty() ? word : lines.back() + u' ' + word;
+            const bool fits = fontMetrics().horizontalAdvance(longer) <= width() - 2 * inset;
+            fits || lines.back().isEmpty() ? lines.back() = longer : lines.emplace_back(word);
+        }
+        if (const QString broken = lines.join(u'\n'); broken != text())
+            setText(broken);
+    }
+
+private:
+    QString whole_;
+};
+
 /// A label that wraps and that screen readers can read.
-QLabel* sentence()
+LookLabel* sentence()
 {
-    auto* label = new QLabel;
+    auto* label = new LookLabel;
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -29,9 +58,9 @@ ChoiceList::ChoiceList(QWidget* parent)
     : QWidget(parent), column_(new QVBoxLayout(this)), prompt_(sentence()), verdict_(sentence()),
       giveUp_(new QPushButton(Text::tr("Show the answer")))
 {
-    column_->setContentsMargins(0, space::labelToField, 0, 0);
+    column_->setContentsMargins(inset, inset, inset, inset);
     column_->setSpacing(space::labelToField - 2);
-    prompt_->setFont(semiBold(font()));
+    wearPageFont(*prompt_, pageType::question, QFont::DemiBold);
     giveUp_->setObjectName(QStringLiteral("show-answer"));
     giveUp_->setFlat(true);
     giveUp_->setMinimumWidth(giveUp_->sizeHint().width() + 2 * space::labelToField);
@@ -53,7 +82,8 @@ void ChoiceList::show(const app::Course& course)
         button->deleteLater(); // Deleted later: it may be handling its click
     }
     buttons_.clear();
-    giveUp_->setVisible(course.isOpen());
+    open_ = course.isOpen();
+    giveUp_->setVisible(open_);
     prompt_->setText(question
                          ? question->prompt
                          : Text::tr("The question of this page cannot be asked about this line. "
@@ -62,8 +92,25 @@ void ChoiceList::show(const app::Course& course)
         showChoices(*question, course);
     verdict_->setText(verdict(course));
     verdict_->setVisible(!verdict_->text().isEmpty());
+    const app::Answer& answer = course.answer();
+    verdict_->setColour([right = answer.right, wrong = answer.wrong > 0](const Look& look) {
+        return right ? look.good : wrong ? errorColour(look) : look.text;
+    });
+    update();
     QAccessibleEvent told(verdict_, QAccessible::NameChanged);
     QAccessible::updateAccessibility(&told);
+}
+
+/// A box, which is framed in the selection colour while the question is open.
+void ChoiceList::paintEvent(QPaintEvent*)
+{
+    const Look& look = lookOf(palette());
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(open_ ? look.selection : look.border);
+    painter.setBrush(look.base);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), space::radius,
+                            space::radius);
 }
 
 void ChoiceList::showChoices(const app::Question& question, const app::Course& course)
@@ -103,9 +150,9 @@ QPushButton* ChoiceList::firstOpen() const
 void ChoiceList::addButton(const QString& text)
 {
     const int index = int(buttons_.size());
-    auto* button = new QPushButton(Text::tr("%1  %2", "the digit of an answer, the answer")
-                                       .arg(index + 1)
-                                       .arg(QString(text).replace(u'&', QStringLiteral("&&"))));
+    auto* button = new ChoiceButton(Text::tr("%1  %2", "the digit of an answer, the answer")
+                                        .arg(index + 1)
+                                        .arg(QString(text).replace(u'&', QStringLiteral("&&"))));
     button->setAccessibleName(text);
     button->setToolTip(Text::tr("Press %1 to give this answer").arg(index + 1));
     button->setMinimumHeight(space::toolButton);
@@ -130,7 +177,7 @@ void ChoiceList::mark(int button, bool right)
     marked.setAccessibleDescription(right ? Text::tr("right") : Text::tr("chosen, and wrong"));
     QPalette colours = marked.palette();
     for (const auto group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled})
-        colours.setColor(group, QPalette::ButtonText, right ? look.good : look.differs);
+        colours.setColor(group, QPalette::ButtonText, right ? look.good : errorColour(look));
     marked.setPalette(colours);
 }
 

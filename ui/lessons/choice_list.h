@@ -9,6 +9,8 @@
 
 namespace ui {
 
+class LookLabel;
+
 /// A question with a button for each answer, which shows the digit that gives it. After a first
 /// wrong answer it shows a hint and allows a second try. Once the question is settled it says which
 /// answer is right, and why.
@@ -29,6 +31,9 @@ signals:
     void chosen(int choice);
     void answerWanted(); ///< the reader gives up and asks for the answer
 
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
 private:
     void showChoices(const app::Question& question, const app::Course& course);
     void addButton(const QString& text);
@@ -36,7 +41,9 @@ private:
     QString verdict(const app::Course& course) const;
 
     QVBoxLayout* column_;
-    QLabel *prompt_, *verdict_;
+    QLabel* prompt_;
+    LookLabel* verdict_;
+    bool open_ = false;
     QPushButton* giveUp_;
     QList<QPushButton*> buttons_;
 };

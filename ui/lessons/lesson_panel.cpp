@@ -4,9 +4,11 @@
 #include "app/lessons/course.h"
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_list.h"
+#include "ui/lessons/page_dots.h"
+#include "ui/lessons/page_type.h"
 #include "ui/look/look.h"
-#include "ui/look/look_icon.h"
 #include "ui/look/text.h"
+#include "ui/widgets/link_button.h"
 
 #include <QApplication>
 #include <QScrollBar>
@@ -22,7 +24,7 @@ namespace ui {
 
 namespace {
 
-constexpr int usualWidth = 320, leastWidth = 240;
+constexpr int usualWidth = 480, leastWidth = 320, wideMargin = 48, narrowMargin = 24, scrollGap = 8;
 constexpr double lineHeight = 140; // percent
 
 QPushButton* button(const QString& text, const QString& tip)
@@ -34,10 +36,11 @@ QPushButton* button(const QString& text, const QString& tip)
     return made;
 }
 
-/// Converts Markdown to a label's rich text with a larger line height.
+/// Converts Markdown to a label's rich text in the page's type with a larger line height.
 QString richText(const QString& markdown)
 {
     QTextDocument document;
+    document.setDefaultFont(pageFont(pageType::text));
     document.setMarkdown(markdown);
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();
@@ -50,12 +53,14 @@ QString richText(const QString& markdown)
 } // namespace
 
 LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
-    : QStackedWidget(parent), course_(course), list_(new LessonList(course)), title_(new QLabel),
-      place_(new QLabel), text_(new QLabel), told_(new QLabel), ending_(new QLabel),
-      body_(new QScrollArea), choices_(new ChoiceList),
+    : QStackedWidget(parent), course_(course), list_(new LessonList(course)), place_(new QLabel),
+      title_(new QLabel), text_(new QLabel), told_(new QLabel), ending_(new QLabel),
+      count_(new QLabel), body_(new QScrollArea), choices_(new ChoiceList), dots_(new PageDots),
       back_(button(Text::tr("Back"), Text::tr("Previous page (Page Up)"))),
       again_(button(Text::tr("Show example"),
                     Text::tr("Show this page's example in the microscope again"))),
+      skip_(button(Text::tr("Skip"), Text::tr("Go on without an answer. You then get no points for "
+                                              "this question."))),
       next_(button(Text::tr("Next"), Text::tr("Next page (Page Down)"))),
       repeat_(button(Text::tr("Repeat lesson"),
                      Text::tr("Start this lesson again; your best points are kept")))
@@ -63,9 +68,13 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     setObjectName(QStringLiteral("lessons"));
     setAccessibleName(Text::tr("Lessons"));
     addWidget(list_);
-    addWidget(makeReader());
-    connect(list_, &LessonList::chosen, this,
-            [this](int lesson) { course_.beginOrGoOn(std::size_t(lesson)); });
+    addWidget(reader_ = makeReader());
+    setBackgroundRole(QPalette::AlternateBase);
+    setAutoFillBackground(true);
+    connect(list_, &LessonList::chosen, this, [this](int lesson) {
+        course_.beginOrGoOn(std::size_t(lesson));
+        focusNext();
+    });
     connect(list_, &LessonList::closeWanted, this, &LessonPanel::closeWanted);
     connect(choices_, &ChoiceList::chosen, this, [this](int choice) {
         course_.choose(choice);
@@ -75,6 +84,10 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     connect(&course_, &app::Course::changed, this, &LessonPanel::showPage);
     connect(back_, &QPushButton::clicked, this, [this] { turn(-1); });
     connect(next_, &QPushButton::clicked, this, [this] { turn(1); });
+    connect(skip_, &QPushButton::clicked, this, [this] {
+        course_.skip();
+        focusNext();
+    });
     connect(again_, &QPushButton::clicked, &course_, &app::Course::showAgain);
     connect(repeat_, &QPushButton::clicked, this, [this] {
         course_.begin(course_.lessonIndex());
@@ -93,9 +106,7 @@ QWidget* LessonPanel::makeReader()
 {
     auto* reader = new QWidget;
     auto* column = new QVBoxLayout(reader);
-    column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
-                               space::dockMargin);
-    column->setSpacing(space::labelToField);
+    column->setSpacing(space::betweenGroups);
     column->addLayout(makeHead());
     column->addWidget(makeBody(), 1);
     column->addWidget(ending_);
@@ -106,29 +117,29 @@ QWidget* LessonPanel::makeReader()
 
 QLayout* LessonPanel::makeHead()
 {
-    auto* all = new QToolButton;
-    all->setIcon(icon("list"));
-    all->setAutoRaise(true);
+    auto* all = linkButton();
+    all->setText(Text::tr("All lessons"));
     all->setToolTip(Text::tr("Show all lessons"));
     all->setAccessibleName(all->toolTip());
     connect(all, &QToolButton::clicked, this, &LessonPanel::showList);
-    title_->setFont(semiBold(font()));
-    title_->setWordWrap(true);
     place_->setForegroundRole(QPalette::PlaceholderText);
-    auto* words = new QVBoxLayout;
-    words->setSpacing(2);
-    words->addWidget(title_);
-    words->addWidget(place_);
-    auto* head = new QHBoxLayout;
-    head->addLayout(words, 1);
-    head->addWidget(all, 0, Qt::AlignTop);
+    wearPageFont(*title_, pageType::title, QFont::Bold);
+    title_->setWordWrap(true);
+    auto* row = new QHBoxLayout;
+    row->addWidget(place_, 1);
+    row->addWidget(all);
+    auto* head = new QVBoxLayout;
+    head->setSpacing(space::labelToField);
+    head->setContentsMargins(0, 0, scrollGap, 0);
+    head->addLayout(row);
+    head->addWidget(title_);
     return head;
 }
 
 /// The text with the question below; scrolls if there is too little room.
 QWidget* LessonPanel::makeBody()
 {
-    ending_->setFont(semiBold(font()));
+    wearPageFont(*ending_, pageType::text, QFont::DemiBold);
     for (QLabel* label : {text_, told_, ending_}) {
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -136,10 +147,11 @@ QWidget* LessonPanel::makeBody()
     }
     auto* inner = new QWidget;
     auto* column = new QVBoxLayout(inner);
-    column->setContentsMargins(0, 0, space::labelToField, 0); // distance from the scroll bar
+    column->setContentsMargins(0, 0, scrollGap, 0); // distance from the scroll bar
+    column->setSpacing(space::betweenGroups);
     column->addWidget(text_);
+    column->addWidget(again_, 0, Qt::AlignLeft);
     column->addWidget(choices_);
-    column->addSpacing(space::labelToField);
     column->addWidget(told_);
     column->addStretch();
     body_->setFrameShape(QFrame::NoFrame);
@@ -152,12 +164,15 @@ QWidget* LessonPanel::makeBody()
 
 QLayout* LessonPanel::makeFoot()
 {
+    count_->setForegroundRole(QPalette::PlaceholderText);
     auto* foot = new QHBoxLayout;
     foot->setSpacing(space::labelToField);
-    foot->addWidget(back_);
-    foot->addWidget(again_);
+    foot->setContentsMargins(0, 0, scrollGap, 0);
+    foot->addWidget(dots_);
+    foot->addWidget(count_);
     foot->addStretch();
-    foot->addWidget(next_);
+    for (QPushButton* turns : {back_, skip_, next_})
+        foot->addWidget(turns);
     return foot;
 }
 
@@ -209,16 +224,7 @@ void LessonPanel::showPage()
         setFocusProxy(list_->buttons()[int(course_.lessonToGoOn().value_or(0))]);
         return;
     }
-    title_->setText(course_.lesson()->title);
-    QString place = Text::tr("Page %1 of %2").arg(course_.page() + 1).arg(course_.pages());
-    if (const app::Score score = course_.score(); score.settled > 0) {
-        place +=
-            QStringLiteral(" · ")
-            + Text::tr("%1 of %2 points").arg(score.points).arg(app::mostPoints(*course_.lesson()));
-        QSettings settings;
-        app::keepPoints(settings, *course_.lesson(), score.points);
-    }
-    place_->setText(place);
+    showHead();
     if (course_.answer().wrong == 0
         && course_.answer().tries.empty()) // a new page, not another try
         body_->verticalScrollBar()->setValue(0);
@@ -227,18 +233,44 @@ void LessonPanel::showPage()
     told_->setText(richText(course_.told()));
     told_->setVisible(!course_.told().isEmpty());
     showEnding();
-    back_->setEnabled(course_.page() > 0);
-    next_->setEnabled(!course_.isOpen());
-    next_->setToolTip(course_.isOpen()
-                          ? Text::tr("First answer the question, or choose “Show the answer”")
-                          : Text::tr("Next page (Page Down)"));
+    showFoot();
     setFocusProxy(nextInHand());
     if (answers)
         focusNext();
+}
+
+/// The lesson's number with its points, and its title.
+void LessonPanel::showHead()
+{
+    QString place = Text::tr("Lesson %1").arg(course_.lessonIndex() + 1);
+    if (const app::Score score = course_.score(); score.settled > 0) {
+        place +=
+            QStringLiteral(" · ")
+            + Text::tr("%1 of %2 points").arg(score.points).arg(app::mostPoints(*course_.lesson()));
+        QSettings settings;
+        app::keepPoints(settings, *course_.lesson(), score.points);
+    }
+    place_->setText(place);
+    title_->setText(course_.lesson()->title);
+}
+
+/// The place in the lesson, and the buttons that turn the pages.
+void LessonPanel::showFoot()
+{
+    const bool open = course_.isOpen();
+    dots_->show(course_.page(), course_.pages());
+    count_->setText(Text::tr("%1 of %2").arg(course_.page() + 1).arg(course_.pages()));
+    again_->setVisible(course_.isAway());
+    back_->setVisible(course_.page() > 0);
+    skip_->setEnabled(open);
+    skip_->setVisible(!course_.atEnd());
+    next_->setEnabled(!open);
+    next_->setToolTip(open ? Text::tr("First answer the question, or choose “Skip”")
+                           : Text::tr("Next page (Page Down)"));
     const bool last = course_.lessonIndex() + 1 == app::lessons().size();
-    next_->setText(!course_.atLastPage() ? Text::tr("Next")
-                   : last                ? Text::tr("Finish")
-                                         : Text::tr("Next lesson"));
+    next_->setText(!course_.atEnd() ? Text::tr("Next")
+                   : last           ? Text::tr("Finish")
+                                    : Text::tr("Next lesson"));
 }
 
 /// Shows the ending below the text, where it is visible without scrolling.
@@ -255,6 +287,13 @@ void LessonPanel::changeEvent(QEvent* event)
     QStackedWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         showPage();
+}
+
+void LessonPanel::resizeEvent(QResizeEvent* event)
+{
+    QStackedWidget::resizeEvent(event);
+    const int side = width() < usualWidth - wideMargin ? narrowMargin : wideMargin;
+    reader_->layout()->setContentsMargins(side, side, side - scrollGap, side / 2);
 }
 
 QSize LessonPanel::sizeHint() const { return {usualWidth, 600}; }

@@ -12,6 +12,7 @@ namespace ui {
 
 class ChoiceList;
 class LessonList;
+class PageDots;
 
 /// The lessons beside the microscope: their list, or the current page with its question. The
 /// microscope shows the page's example. Page Up and Page Down turn the pages; Up, Down and Enter
@@ -32,6 +33,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* makeReader();
@@ -39,17 +41,21 @@ private:
     QWidget* makeBody();
     QLayout* makeFoot();
     void showPage();
+    void showHead();
     void showEnding();
+    void showFoot();
     void turn(int pages);
     void focusNext();
     QWidget* nextInHand() const; ///< the button with which Enter continues or answers
 
     app::Course& course_;
     LessonList* list_;
-    QLabel *title_, *place_, *text_, *told_, *ending_;
+    QWidget* reader_;
+    QLabel *place_, *title_, *text_, *told_, *ending_, *count_;
     QScrollArea* body_;
     ChoiceList* choices_;
-    QPushButton *back_, *again_, *next_, *repeat_;
+    PageDots* dots_;
+    QPushButton *back_, *again_, *skip_, *next_, *repeat_;
 };
 
 } // namespace ui

@@ -32,6 +32,7 @@ namespace {
 constexpr int rightWidth = 428, narrowRight = 300, wide = 1200; // pixels
 constexpr int lessonRight = 344;                                // beside a lesson
 constexpr int lessonWidth = 480, narrowLesson = 380;
+constexpr double usualType = 13, widestLesson = 0.45; // pixels; of the page
 constexpr int leastMiddle = 320;
 constexpr QSize overviewSize(172, 130), smallOverview(116, 88), leastForOverview(400, 260);
 
@@ -358,7 +359,10 @@ void MicroscopePage::share()
 void MicroscopePage::shareAcross()
 {
     const int right = width() < wide ? narrowRight : side_ ? lessonRight : rightWidth;
-    const int left = !side_ ? 0 : width() < wide ? narrowLesson : lessonWidth;
+    const double type = std::max(1.0, QFontInfo(font()).pixelSize() / usualType); // presenting
+    const int lesson = std::min(qRound((width() < wide ? narrowLesson : lessonWidth) * type),
+                                std::max(narrowLesson, qRound(width() * widestLesson)));
+    const int left = side_ ? lesson : 0;
     const int taken = left + (beside_->isHidden() ? 0 : right) + 2 * across_->handleWidth();
     const int middle = std::max(leastMiddle, width() - taken);
     across_->setSizes(side_ ? QList{left, middle, right} : QList{middle, right});

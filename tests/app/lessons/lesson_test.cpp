@@ -346,6 +346,49 @@ private slots:
         QCOMPARE(course.page(), std::size_t(0));
         QCOMPARE(course.lessonIndex(), std::size_t(2));
     }
+    void aSkippedQuestionEarnsNothing()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        course.begin(1);
+        const std::size_t last = course.pages() - 1;
+        while (course.page() < last) {
+            const std::size_t page = course.page();
+            course.skip();
+            QCOMPARE(course.page(), page + 1);
+            course.previous();
+            QVERIFY(course.answer().shown && !microscope.isCovered());
+            course.skip(); // it is not open
+            QCOMPARE(course.page(), page);
+            course.next();
+        }
+        course.skip(); // the answer is shown
+        QVERIFY(course.atEnd());
+        QCOMPARE(course.score(), (app::Score{int(course.pages()), 0}));
+    }
+    void anotherLineIsAway()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        QVERIFY(!course.isAway());
+        for (course.begin(1);; course.next()) {
+            const app::TracedLine own = microscope.tracedLine();
+            QVERIFY(!course.isAway());
+            app::TracedLine other = own;
+            other.line.b.y += 1;
+            microscope.setTracedLine(other);
+            QVERIFY(course.isAway());
+            microscope.setTracedLine(own);
+            QVERIFY(!course.isAway());
+            microscope.setTracedLine(other);
+            course.showAgain();
+            QVERIFY(!course.isAway());
+            course.showAnswer();
+            QVERIFY(!course.isAway());
+            if (course.atLastPage())
+                break;
+        }
+    }
     void aLessonThatWasLeftGoesOnAtItsPage()
     {
         app::Microscope microscope;

@@ -198,7 +198,7 @@ inline std::vector<Maker> makers()
          false,
          [](const Desk& desk) { return desk.session.microscope.isOpen(); }},
         {"lessons",
-         {320, 500},
+         {480, 640},
          [](Desk& desk) { return new LessonPanel(desk.session.course); },
          nullptr,
          false,

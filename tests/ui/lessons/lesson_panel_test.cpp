@@ -3,6 +3,7 @@
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_list.h"
 #include "ui/lessons/lesson_panel.h"
+#include "ui/lessons/page_dots.h"
 
 #include <QAbstractButton>
 
@@ -26,6 +27,16 @@ struct Stage {
     }
     ui::ChoiceList& choices() { return *panel.findChild<ui::ChoiceList*>(); }
     ui::LessonList& list() { return *panel.findChild<ui::LessonList*>(); }
+    QPushButton& button(const QString& text) const
+    {
+        const auto buttons = panel.findChildren<QPushButton*>();
+        return **std::ranges::find(buttons, text, &QPushButton::text);
+    }
+    const QLabel& label(const QString& text) const
+    {
+        const auto labels = panel.findChildren<QLabel*>();
+        return **std::ranges::find(labels, text, &QLabel::text);
+    }
     bool says(const QString& words) const
     {
         const auto labels = panel.findChildren<QLabel*>();
@@ -114,6 +125,50 @@ private slots:
         QCOMPARE(stage.course.score(), (app::Score{1, 1}));
         QVERIFY(stage.says("Right.") && stage.says(stage.course.question()->reason));
         QCOMPARE(stage.choices().buttons()[right]->accessibleDescription(), "right");
+    }
+    void aPageHasItsPlaceAndTitle()
+    {
+        Stage stage;
+        QTest::mouseClick(stage.list().buttons()[0], Qt::LeftButton);
+        QVERIFY(stage.says("Lesson 1") && stage.says("Why clip a line?") && stage.says("1 of 6"));
+        QCOMPARE(stage.panel.findChild<ui::PageDots*>()->accessibleName(), "Page 1 of 6");
+        const double type = QFontInfo(stage.panel.font()).pixelSize();
+        QVERIFY(QFontInfo(stage.label("Why clip a line?").font()).pixelSize() >= 1.9 * type);
+        QVERIFY(stage.button("Next").hasFocus()); // Enter goes on
+    }
+    void backStandsLeftOfSkipFromTheSecondPageOn()
+    {
+        Stage stage;
+        stage.course.begin(0);
+        QVERIFY(!stage.button("Back").isVisible());
+        QVERIFY(!stage.button("Skip").isEnabled() && stage.button("Next").isEnabled());
+        stage.course.next();
+        QVERIFY(stage.button("Skip").isEnabled() && !stage.button("Next").isEnabled());
+        QTRY_VERIFY(stage.button("Back").geometry().right() < stage.button("Skip").x());
+        QVERIFY(stage.button("Skip").geometry().right() < stage.button("Next").x());
+    }
+    void skippingGoesOnWithoutPoints()
+    {
+        Stage stage;
+        stage.course.begin(0);
+        stage.course.next();
+        QTest::mouseClick(&stage.button("Skip"), Qt::LeftButton);
+        QCOMPARE(stage.course.page(), 2U);
+        QCOMPARE(stage.course.score(), (app::Score{1, 0}));
+        QVERIFY(stage.course.asks() && stage.choices().firstOpen()->hasFocus());
+    }
+    void theExampleIsOfferedOnlyWhenAnotherLineIsShown()
+    {
+        Stage stage;
+        stage.course.begin(0);
+        QVERIFY(!stage.button("Show example").isVisible());
+        app::TracedLine moved = stage.microscope.tracedLine();
+        moved.line.a.x += 5;
+        stage.microscope.setTracedLine(moved);
+        QVERIFY(stage.button("Show example").isVisible());
+        QTest::mouseClick(&stage.button("Show example"), Qt::LeftButton);
+        QCOMPARE(stage.microscope.tracedLine(), app::lessons()[0].pages[0].tracedLine);
+        QVERIFY(!stage.button("Show example").isVisible());
     }
     void readingWithoutAnsweringEarnsNoTick()
     {

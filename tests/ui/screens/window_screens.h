@@ -104,6 +104,22 @@ inline Screen palette(const char* name, Theme theme, const char* typed)
             }};
 }
 
+/// A page of a lesson in the window.
+inline Screen lessonPage(const char* name, Theme theme, std::size_t lesson, std::size_t page)
+{
+    return {name, [theme, lesson, page] {
+                return withWindow([=](TestWindow& test) -> QWidget* {
+                    test.window->setTheme(theme);
+                    test.window->showLessons();
+                    app::Course& course = test.window->session().course;
+                    course.begin(lesson);
+                    while (course.page() < page)
+                        course.isOpen() ? course.skip() : course.next();
+                    return test.window.get();
+                });
+            }};
+}
+
 inline Screen dialog(const char* name, const char* command)
 {
     return {name, [command] {
@@ -137,6 +153,8 @@ inline void addWindows(std::vector<Screen>& screens)
                                return test.window.get();
                            });
                        }});
+    screens.push_back(lessonPage("lesson-window", Theme::Light, 1, 3));
+    screens.push_back(lessonPage("lesson-window-dark", Theme::Dark, 0, 1));
     screens.push_back({"explanation-finding", finding});
     screens.push_back(part("dialog-export-steps", exportSteps));
     screens.push_back(part("dialog-waiting", waiting));

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lessons/page_dots.h"
+
+#include "ui/look/look.h"
+#include "ui/look/text.h"
+
+#include <QPainter>
+
+namespace ui {
+
+namespace {
+
+constexpr int diameter = 8, distance = 14; // distance from centre to centre
+
+} // namespace
+
+PageDots::PageDots(QWidget* parent) : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void PageDots::show(std::size_t page, std::size_t pages)
+{
+    page_ = int(page);
+    pages_ = int(pages);
+    setAccessibleName(Text::tr("Page %1 of %2").arg(page + 1).arg(pages));
+    updateGeometry();
+    update();
+}
+
+QSize PageDots::sizeHint() const
+{
+    return {pages_ == 0 ? 0 : (pages_ - 1) * distance + diameter, diameter + 2};
+}
+
+void PageDots::paintEvent(QPaintEvent*)
+{
+    const Look& look = lookOf(palette());
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    for (int i = 0; i < pages_; ++i) {
+        painter.setBrush(i == page_ ? look.selection : look.border);
+        painter.drawEllipse(QRectF(i * distance, (height() - diameter) / 2.0, diameter, diameter));
+    }
+}
+
+} // namespace ui
+
+#include "moc_page_dots.cpp"
