@@ -75,6 +75,10 @@ public:
     /// The question about the line that is shown, or of a settled page about the line that was
     /// asked about. Empty if the page asks nothing, or if it cannot ask about the line.
     const std::optional<Question>& question() const { return question_; }
+    /// The line that the question is about.
+    const TracedLine& asked() const { return asked_; }
+    /// Whether the microscope shows another line than that.
+    bool isElsewhere() const { return microscope_.tracedLine() != asked_; }
     /// The answers given on this page.
     const Answer& answer() const { return answers_[page_]; }
     /// Whether the page has a question that was neither answered correctly, nor tried twice, nor

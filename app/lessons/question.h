@@ -15,6 +15,8 @@ struct Question {
     int right = 0;       ///< index into the choices
     QString reason;      ///< why it is right, shown after the answer
     QString hint;        ///< shown after a wrong first answer: the way to the answer
+    /// The edge of the window that each choice is; empty: the choices are no parts of the figure.
+    std::vector<clipping::Edge> edges{};
 };
 
 /// The steps that would reveal the answer and are hidden while the question is open.

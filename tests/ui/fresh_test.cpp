@@ -177,6 +177,7 @@ private slots:
             seen << lastPart(classOf(*part));
         seen << "MainWindow";
         const QSet<QString> elsewhere{
+            "ChoiceButton",      // only while a question is asked
             "Chip",              // beside the pointer while a colour is taken
             "GlSurface",         // needs a graphics card
             "Palette",           // a popup, filled anew when it is opened

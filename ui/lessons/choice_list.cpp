@@ -55,12 +55,14 @@ LookLabel* sentence()
 } // namespace
 
 ChoiceList::ChoiceList(QWidget* parent)
-    : QWidget(parent), column_(new QVBoxLayout(this)), prompt_(sentence()), verdict_(sentence()),
-      giveUp_(new QPushButton(Text::tr("Show the answer")))
+    : QWidget(parent), column_(new QVBoxLayout(this)), prompt_(sentence()), onStage_(sentence()),
+      verdict_(sentence()), giveUp_(new QPushButton(Text::tr("Show the answer")))
 {
     column_->setContentsMargins(inset, inset, inset, inset);
     column_->setSpacing(space::labelToField - 2);
     wearPageFont(*prompt_, pageType::question, QFont::DemiBold);
+    onStage_->setText(Text::tr("You can also click the edge in the figure."));
+    onStage_->setForegroundRole(QPalette::PlaceholderText);
     giveUp_->setObjectName(QStringLiteral("show-answer"));
     giveUp_->setFlat(true);
     giveUp_->setMinimumWidth(giveUp_->sizeHint().width() + 2 * space::labelToField);
@@ -69,6 +71,7 @@ ChoiceList::ChoiceList(QWidget* parent)
         "Show the right answer and its reason. You then get no points for this question."));
     connect(giveUp_, &QPushButton::clicked, this, &ChoiceList::answerWanted);
     column_->addWidget(prompt_);
+    column_->addWidget(onStage_);
     column_->addWidget(verdict_);
     column_->addWidget(giveUp_, 0, Qt::AlignLeft);
 }
@@ -84,6 +87,7 @@ void ChoiceList::show(const app::Course& course)
     buttons_.clear();
     open_ = course.isOpen();
     giveUp_->setVisible(open_);
+    onStage_->setVisible(open_ && question && !question->edges.empty());
     prompt_->setText(question
                          ? question->prompt
                          : Text::tr("The question of this page cannot be asked about this line. "

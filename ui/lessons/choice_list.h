@@ -41,7 +41,7 @@ private:
     QString verdict(const app::Course& course) const;
 
     QVBoxLayout* column_;
-    QLabel* prompt_;
+    QLabel *prompt_, *onStage_;
     LookLabel* verdict_;
     bool open_ = false;
     QPushButton* giveUp_;

@@ -8,6 +8,7 @@
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/microscope/answer_cover.h"
+#include "ui/microscope/answer_discs.h"
 #include "ui/microscope/code_view.h"
 #include "ui/microscope/microscope_bar.h"
 #include "ui/microscope/microscope_view.h"
@@ -54,6 +55,13 @@ void wrap(QLabel& label, int width)
     const QSize whole = label.sizeHint();
     label.setWordWrap(whole.width() > width);
     label.resize(label.wordWrap() ? QSize(width, label.heightForWidth(width)) : whole);
+}
+
+/// Shows or hides a part of the page, which may itself be hidden.
+void showPart(QWidget& part, bool shown)
+{
+    if (part.isVisibleTo(part.parentWidget()) != shown)
+        part.setVisible(shown);
 }
 
 QSplitter* splitter(Qt::Orientation orientation)
@@ -137,6 +145,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     connect(fit_, &QToolButton::clicked, view_, &MicroscopeView::fit);
     for (const QSplitter* parts : {across_, down_, right_})
         connect(parts, &QSplitter::splitterMoved, this, [this] { ownShares_ = true; });
+    new AnswerDiscs(session.course, *view_);
     addKeys();
     showStep();
     showPlace();
@@ -163,8 +172,8 @@ QWidget* MicroscopePage::makeRight()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(right_, 1);
-    operationsBox_ = underHeading(new Heading(Text::tr("Operations so far")), operations_);
-    column->addWidget(operationsBox_);
+    column->addWidget(operationsHeading_ = new Heading(Text::tr("Operations so far")));
+    column->addWidget(operations_);
     return all;
 }
 
@@ -332,14 +341,15 @@ void MicroscopePage::showParts()
         leave_->setVisible(reads);
         placeOverview();
     }
-    bar_->setVisible(!side_);
-    steps_->setVisible(shown.steps);
-    codeBox_->setVisible(shown.code);
-    variables_->setVisible(shown.variables);
-    right_->setVisible(shown.code || shown.variables);
-    operationsBox_->setVisible(shown.operations);
+    showPart(*bar_, !side_);
+    showPart(*steps_, shown.steps);
+    showPart(*codeBox_, shown.code);
+    showPart(*variables_, shown.variables);
+    showPart(*right_, shown.code || shown.variables);
+    showPart(*operationsHeading_, shown.operations);
+    showPart(*operations_, shown.operations);
     const bool besideBefore = !beside_->isHidden();
-    beside_->setVisible(shown.code || shown.variables || shown.operations);
+    showPart(*beside_, shown.code || shown.variables || shown.operations);
     if (besideBefore == beside_->isHidden() && side_)
         shareAcross();
 }

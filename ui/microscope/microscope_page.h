@@ -80,7 +80,7 @@ private:
     QToolButton *leave_, *back_, *fit_;
     AnswerCover *variablesCover_, *operationsCover_;
     QSplitter *across_, *down_, *right_;
-    QWidget *beside_, *codeBox_, *operationsBox_; ///< the right column, and two parts of it
+    QWidget *beside_, *codeBox_, *operationsHeading_; ///< the right column, and parts of it
     Qt::Corner corner_ = Qt::TopLeftCorner; ///< the corner of the view that holds the overview
     QWidget* side_ = nullptr;
     bool ownShares_ = false;                        ///< the person has moved a splitter

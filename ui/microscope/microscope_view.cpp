@@ -55,6 +55,7 @@ void MicroscopeView::follow()
     frame_.y = microscope_.tracedLine().y;
     describe();
     update();
+    emit reframed();
 }
 
 /// For screen readers: what an end that is chosen can do, otherwise the figure in words.
@@ -80,6 +81,7 @@ void MicroscopeView::reserve(const QRectF& place)
 {
     reserved_ = frame_.reserved = place;
     update();
+    emit reframed();
 }
 
 void MicroscopeView::fit()

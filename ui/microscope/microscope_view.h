@@ -35,6 +35,7 @@ signals:
     /// In the drawing; empty: the pointer has left.
     void pointerMoved(std::optional<app::Point> point);
     void framed();                    ///< the visible part has changed
+    void reframed();                  ///< the reserved area has changed, or the line
     void hinted(const QString& hint); ///< what the person can do here
 
 protected:

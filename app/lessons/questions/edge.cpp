@@ -26,12 +26,14 @@ std::optional<Question> askEdge(const TracedLine& tracedLine, const Narration& n
     for (const clipping::Edge edge : edges)
         choices << Text::tr("At %1").arg(edgeWords(edge, tracedLine.y));
     return Question{
-        Text::tr("At which edge is the line cut next?"), choices,
+        Text::tr("At which edge is the line cut next?"),
+        choices,
         int(std::ranges::find(edges, cut->edge) - edges.begin()),
         Text::tr("Step %1: %2").arg(cut - narration.steps.begin() + 1).arg(cut->sentence),
         Text::tr("Read the pseudo-code from line %1 on, with the values in the table. Which "
                  "test is the first to be true?")
-            .arg(narration.steps[step].line)};
+            .arg(narration.steps[step].line),
+        {edges.begin(), edges.end()}};
 }
 
 } // namespace
