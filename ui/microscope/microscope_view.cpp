@@ -327,6 +327,8 @@ void MicroscopeView::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange)
         fit();
+    if (event->type() == QEvent::LocaleChange)
+        describe(); // the numbers
 }
 
 /// The arrow keys step unless an end is selected, which they move.
