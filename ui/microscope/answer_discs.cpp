@@ -101,8 +101,10 @@ bool AnswerDiscs::eventFilter(QObject* watched, QEvent* event)
         return pressed_.has_value();
     case QEvent::MouseButtonRelease:
         if (const auto pressed = std::exchange(pressed_, std::nullopt)) {
-            if (choiceAt(*mouse) == pressed)
+            if (choiceAt(*mouse) == pressed) {
                 course_.choose(*pressed);
+                emit answered();
+            }
             return true;
         }
         break;

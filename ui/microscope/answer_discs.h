@@ -23,6 +23,9 @@ public:
     const std::vector<app::StageAnswer>& answers() const { return answers_; }
     std::optional<int> hovered() const { return hovered_; }
 
+signals:
+    void answered(); ///< by a click
+
 protected:
     void paintEvent(QPaintEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -145,7 +145,8 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     connect(fit_, &QToolButton::clicked, view_, &MicroscopeView::fit);
     for (const QSplitter* parts : {across_, down_, right_})
         connect(parts, &QSplitter::splitterMoved, this, [this] { ownShares_ = true; });
-    new AnswerDiscs(session.course, *view_);
+    auto* discs = new AnswerDiscs(session.course, *view_);
+    connect(discs, &AnswerDiscs::answered, this, &MicroscopePage::goOnInLesson);
     addKeys();
     showStep();
     showPlace();
@@ -208,13 +209,22 @@ void MicroscopePage::useDigit(int digit)
 {
     const app::DigitUse use =
         app::digitUse({.question = session_.course.asks(), .gesture = view_->drags()});
-    if (use == app::DigitUse::Answer)
-        return session_.course.choose(digit - 1);
+    if (use == app::DigitUse::Answer) {
+        session_.course.choose(digit - 1);
+        return goOnInLesson();
+    }
     if (use != app::DigitUse::Algorithm)
         return;
     for (const clipping::Algorithm& row : clipping::algorithms())
         if (digitOf(row) == QString::number(digit))
             drawn_.choose(app::usable({&row, session_.microscope.tracedLine().variant.form}));
+}
+
+/// After an answer that settles the question, Enter turns the lesson's page.
+void MicroscopePage::goOnInLesson()
+{
+    if (side_ && !session_.course.isOpen())
+        side_->setFocus();
 }
 
 void MicroscopePage::showStep()

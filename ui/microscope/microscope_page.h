@@ -56,6 +56,7 @@ private:
     void showParts();
     void addKeys();
     void useDigit(int digit);
+    void goOnInLesson();
     void showStep();
     void showPlace();
     QList<QWidget*> corner() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_panel.h"
+#include "ui/microscope/answer_discs.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/microscope/microscope_view.h"
 
@@ -113,6 +114,21 @@ private slots:
         QVERIFY(!room.course().isOpen());
         QCOMPARE(room.course().score(), (app::Score{1, 1}));
         QCOMPARE(room.microscope().tracedLine().variant, before);
+        QVERIFY(room.lessons().isAncestorOf(QApplication::focusWidget())); // Enter goes on
+    }
+    void enterGoesOnAfterAClickInTheFigure()
+    {
+        const Classroom room;
+        while (!room.course().isOpen() || room.course().question()->edges.empty())
+            room.course().isOpen() ? room.course().skip() : room.course().next();
+        QCoreApplication::processEvents();
+        const std::size_t page = room.course().page();
+        const auto& answers = room.window->microscopePage()->findChild<AnswerDiscs*>()->answers();
+        const std::size_t right = std::size_t(room.course().question()->right);
+        QTest::mouseClick(&room.view(), Qt::LeftButton, {}, answers[right].disc.toPoint());
+        QVERIFY(!room.course().isOpen());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCOMPARE(room.course().page(), page + 1);
     }
     void digitsAnswerFromTheLesson()
     {
