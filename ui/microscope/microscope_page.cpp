@@ -175,6 +175,7 @@ QWidget* MicroscopePage::makeRight()
     column->addWidget(right_, 1);
     column->addWidget(operationsHeading_ = new Heading(Text::tr("Operations so far")));
     column->addWidget(operations_);
+    column->addStretch(); // if the operations stand alone
     return all;
 }
 

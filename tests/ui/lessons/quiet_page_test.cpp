@@ -135,6 +135,14 @@ private slots:
         QCOMPARE(room.bars(), 3);
         QCOMPARE(room.shares(), before);
     }
+    void operationsThatStandAloneAreNotStretched()
+    {
+        Classroom room;
+        room.begin(3, 0);
+        const auto* operations = room.page().findChild<OperationsView*>();
+        QCOMPARE(room.shown(), (app::LessonParts{.operations = true}));
+        QVERIFY(operations->height() < 150);
+    }
     void escapeAsksNothingAndTheLessonRemembersItsPage()
     {
         Classroom room;
