@@ -22,6 +22,12 @@ constexpr int inset = 16;
 class ChoiceButton : public QPushButton {
 public:
     explicit ChoiceButton(const QString& text) : QPushButton(text), whole_(text) {}
+    QSize sizeHint() const override
+    {
+        constexpr int besideLines = 6; // pixels above and below several lines
+        const QSize hint = QPushButton::sizeHint();
+        return text().contains(u'\n') ? hint + QSize(0, 2 * besideLines) : hint;
+    }
     QSize minimumSizeHint() const override { return {inset, sizeHint().height()}; }
 
 protected:

@@ -25,6 +25,8 @@ namespace ui {
 namespace {
 
 constexpr int usualWidth = 480, leastWidth = 320, wideMargin = 48, narrowMargin = 24, scrollGap = 8;
+constexpr int widthWithDots = 360; // of the page, with type of this size in pixels
+constexpr double usualType = 13;
 constexpr double lineHeight = 140; // percent
 
 QPushButton* button(const QString& text, const QString& tip)
@@ -293,6 +295,8 @@ void LessonPanel::resizeEvent(QResizeEvent* event)
 {
     QStackedWidget::resizeEvent(event);
     const int side = width() < usualWidth - wideMargin ? narrowMargin : wideMargin;
+    const double type = std::max(1.0, QFontInfo(font()).pixelSize() / usualType);
+    dots_->setVisible(width() >= widthWithDots * type);
     reader_->layout()->setContentsMargins(side, side, side - scrollGap, side / 2);
 }
 

@@ -6,17 +6,19 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
 
-constexpr int diameter = 8, distance = 14; // distance from centre to centre
+constexpr int diameter = 8, farthest = 14, nearest = 10; // from centre to centre
 
 } // namespace
 
 PageDots::PageDots(QWidget* parent) : QWidget(parent)
 {
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
 }
 
 void PageDots::show(std::size_t page, std::size_t pages)
@@ -28,7 +30,11 @@ void PageDots::show(std::size_t page, std::size_t pages)
     update();
 }
 
-QSize PageDots::sizeHint() const
+QSize PageDots::sizeHint() const { return sizeWith(farthest); }
+
+QSize PageDots::minimumSizeHint() const { return sizeWith(nearest); }
+
+QSize PageDots::sizeWith(int distance) const
 {
     return {pages_ == 0 ? 0 : (pages_ - 1) * distance + diameter, diameter + 2};
 }
@@ -39,6 +45,8 @@ void PageDots::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
+    const double room = double(width() - diameter) / std::max(1, pages_ - 1);
+    const double distance = std::min(room, double(farthest));
     for (int i = 0; i < pages_; ++i) {
         painter.setBrush(i == page_ ? look.selection : look.border);
         painter.drawEllipse(QRectF(i * distance, (height() - diameter) / 2.0, diameter, diameter));

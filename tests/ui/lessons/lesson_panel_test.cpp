@@ -170,6 +170,27 @@ private slots:
         QCOMPARE(stage.microscope.tracedLine(), app::lessons()[0].pages[0].tracedLine);
         QVERIFY(!stage.button("Show example").isVisible());
     }
+    void longAnswersWrapAndDotsNeedRoom()
+    {
+        Stage stage;
+        stage.course.begin(1);
+        stage.course.skip(); // which step follows?
+        for (const int width : {330, 380, 480}) {
+            stage.panel.resize(width, 700);
+            QCoreApplication::processEvents();
+            for (const QPushButton* choice : stage.choices().buttons()) {
+                const QRect text = choice->fontMetrics().boundingRect(
+                    QRect(0, 0, 1000, 1000), Qt::TextWordWrap, choice->text());
+                QVERIFY2(text.width() <= choice->width() && text.height() <= choice->height(),
+                         qPrintable(choice->text()));
+            }
+            const auto* dots = stage.panel.findChild<ui::PageDots*>();
+            QCOMPARE(dots->isVisible(), width > 330);
+            QVERIFY(!dots->isVisible() || dots->width() >= dots->minimumSizeHint().width());
+            if (width == 480) // at others only with the narrower buttons of the program's style
+                QVERIFY(stage.button("Next").geometry().right() < width);
+        }
+    }
     void readingWithoutAnsweringEarnsNoTick()
     {
         Stage stage;
