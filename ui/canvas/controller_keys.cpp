@@ -91,8 +91,10 @@ bool Controller::escape()
     } else if (!session_.selection().empty() || session_.inspected()) {
         session_.select({});
         session_.inspect(std::nullopt);
-    } else {
+    } else if (toolInfo_ != &tools().front()) {
         setTool(tools().front().key);
+    } else {
+        return false; // the window may have something to leave
     }
     return true;
 }

@@ -12,6 +12,7 @@
 #include "ui/widgets/panel_list.h"
 
 #include <QSettings>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -80,8 +81,11 @@ void LayersPanel::reveal()
 {
     if (!isVisible() || list_->selects())
         return;
-    if (const QModelIndex row = model_->revealSelection(); row.isValid())
-        list_->scrollTo(row);
+    const QPersistentModelIndex row = model_->revealSelection();
+    QTimer::singleShot(0, list_, [row, list = list_] { // when the panel has its height
+        if (row.isValid())
+            list->scrollTo(row);
+    });
 }
 
 void LayersPanel::chooseColour(app::ContainerId layer)

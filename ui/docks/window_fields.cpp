@@ -59,24 +59,24 @@ WindowFields::WindowFields(app::Session& session)
     follow();
 }
 
-/// X, Y and angle; below, width and height with the unit. By Tab the lengths come first.
+/// Angle, X and Y; below, width and height with the unit. Tab goes in this order, so that the four
+/// lengths follow each other.
 void WindowFields::addRows()
 {
     struct Place {
         app::WindowValue value;
         const char* label;
+        int row, column;
     };
     using enum app::WindowValue;
-    constexpr std::array places{Place{X, "X"}, Place{Y, "Y"}, Place{Width, "W"}, Place{Height, "H"},
-                                Place{Angle, "∠"}};
+    constexpr std::array places{Place{X, "X", 0, 2}, Place{Y, "Y", 0, 4}, Place{Width, "W", 1, 0},
+                                Place{Height, "H", 1, 2}, Place{Angle, "∠", 0, 0}};
     auto* grid = new QGridLayout(this);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
-    for (const auto& [value, label] : places) {
-        const bool isSide = value == Width || value == Height;
-        const int column = value == Angle ? 4 : value == Y || value == Height ? 2 : 0;
-        grid->addWidget(labelled(QString::fromUtf8(label), field(value)), isSide, column);
-        grid->addWidget(&field(value), isSide, column + 1);
+    for (const auto& [value, label, row, column] : places) {
+        grid->addWidget(labelled(QString::fromUtf8(label), field(value)), row, column);
+        grid->addWidget(&field(value), row, column + 1);
     }
     auto* end = new QHBoxLayout;
     end->setSpacing(space::labelToField);
@@ -87,9 +87,9 @@ void WindowFields::addRows()
     for (const int column : {1, 3, 5})
         grid->setColumnStretch(column, 1);
     grid->setContentsMargins(space::dockMargin, 6, space::dockMargin, space::dockMargin);
-    QWidget* before = &field(X);
-    for (QWidget* next : std::initializer_list<QWidget*>{&field(Y), &field(Width), &field(Height),
-                                                         unit_, chain_, &field(Angle)}) {
+    QWidget* before = &field(Angle);
+    for (QWidget* next : std::initializer_list<QWidget*>{&field(X), &field(Y), &field(Width),
+                                                         &field(Height), unit_, chain_}) {
         setTabOrder(before, next);
         before = next;
     }

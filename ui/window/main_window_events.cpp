@@ -93,8 +93,11 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
     if (centre_->showsCanvas() && qobject_cast<PanelList*>(focusWidget())
         && !isModifier(event->key()))
         return passToCanvas(*event, *canvas_, *menuBar());
-    if (event->key() == Qt::Key_Escape && centre_->showsCanvas())
+    if (event->key() == Qt::Key_Escape && centre_->showsCanvas()) {
+        if (canvas_->focusProxy()->hasFocus() && isPresenting())
+            return togglePresenting();
         return canvas_->setFocus(); // from a list or a field
+    }
     const auto key = keyAtItsPlace(*event);
     const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
     const QKeySequence pressed(event->keyCombination());

@@ -532,6 +532,28 @@ private slots:
         QVERIFY(!lookOf(t.window->palette()).dark);
         QCOMPARE(QSettings().value("theme").toInt(), int(Theme::Light));
     }
+    // After what it backs out of before: tool and selection.
+    void escapeLeavesThePresentation()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        t.show();
+        t.run("presentation");
+        QVERIFY(t.window->isPresenting());
+        t.window->canvas().setTool("line");
+        t.window->session().select({0});
+        t.window->canvas().setFocus();
+        for (int i = 0; i < 2; ++i) {
+            QTest::keyClick(t.drawingArea(), Qt::Key_Escape);
+            QVERIFY(t.window->isPresenting());
+        }
+        QCOMPARE(t.window->canvas().tool(), std::string_view("select"));
+        QVERIFY(t.window->session().selection().empty());
+        QTest::keyClick(t.drawingArea(), Qt::Key_Escape);
+        QVERIFY(!t.window->isPresenting());
+        QTest::keyClick(t.drawingArea(), Qt::Key_Escape); // has nothing to leave
+        QVERIFY(!t.window->isPresenting());
+    }
     void iconsOfTheOptionBarFollowTheTheme()
     {
         TestWindow t;
