@@ -92,7 +92,10 @@ bool ObjectCapsule::isFor() const
 bool ObjectCapsule::followSubject()
 {
     const app::ObjectRanges& now = controller().session().selection();
-    return std::exchange(shown_, now) != now;
+    if (shown_ == now) // in every move of a gesture
+        return false;
+    shown_ = now;
+    return true;
 }
 
 void ObjectCapsule::showValues()
