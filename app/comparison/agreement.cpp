@@ -14,9 +14,6 @@ using clipping::Window;
 
 namespace {
 
-// Two variants keep their contracts (at most 64 ulps each) if they are at most this far apart.
-constexpr double contractOfTwo = 128;
-
 void add(Disagreement& to, std::span<const Difference> fromExact, std::size_t firstLine)
 {
     const DifferenceCounts counts = counted(fromExact);
@@ -47,7 +44,7 @@ void judge(std::vector<Disagreement>& all, const SceneLines::Run& run, const Win
     for (Disagreement& one : all)
         add(one,
             differences(run.segments, window, clipped(one.variant, run.segments, window), truth,
-                        {contractOfTwo, endsOf(one.variant, exact)}),
+                        {contractUlps(one.variant, exact), endsOf(one.variant, exact)}),
             run.firstLine);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/agreement.h"
+#include "app/comparison/difference.h"
 
 #include <QTest>
 
@@ -40,6 +41,31 @@ private slots:
         QCOMPARE(found[0].lost + found[0].moved, std::size_t(1));
         QCOMPARE(found[0].segments, std::vector<std::uint32_t>{0});
         QVERIFY(app::sentence(found).startsWith("KWC as published "));
+    }
+    /// The panel Algorithm, the table Compare and the panes count alike.
+    void theyAreCountedAsInOtherPlaces()
+    {
+        std::mt19937_64 random(3);
+        std::uniform_real_distribution<double> x(-10, 10), little(-2, 2);
+        std::vector<Segment> segments(20'000);
+        for (Segment& s : segments) {
+            s.a = {x(random), x(random)};
+            s.b = s.a + app::Point(little(random), little(random));
+        }
+        const Window window{{-5, -5}, {5, 5}};
+        const app::Variant exact{&exactAlgorithm()};
+        for (const char* key : {"kwc", "skala", "cs"}) {
+            const app::Variant published{findAlgorithm(key), Form::Published};
+            const auto there = app::counted(app::differences(segments, window, published, exact,
+                                                             app::contractUlps(published, exact)));
+            const auto found = app::disagreements(sceneLinesOf(segments), window, published);
+            QCOMPARE(found.empty(), there.all() == 0);
+            if (found.empty())
+                continue;
+            QCOMPARE(found[0].lost, there.onlyB);
+            QCOMPARE(found[0].shown, there.onlyA);
+            QCOMPARE(found[0].moved, there.endsApart);
+        }
     }
     /// In whichever blocks the lines are.
     void theyAreNumberedOverAllLines()
