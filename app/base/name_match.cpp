@@ -4,6 +4,8 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -102,11 +104,8 @@ private:
 
 } // namespace
 
-std::optional<NameMatch> matchName(const QString& typed, const QString& name)
+static std::optional<NameMatch> matchSpelled(const QString& text, const QString& name)
 {
-    const QString text = typed.simplified();
-    if (text.isEmpty())
-        return NameMatch{};
     if (auto match = asOne(text, name))
         return match;
     const QStringList words = text.split(u' ');
@@ -116,6 +115,27 @@ std::optional<NameMatch> matchName(const QString& typed, const QString& name)
     if (text.size() > most || name.size() > longest)
         return std::nullopt;
     return LetterSearch(text, name).match();
+}
+
+/// The text with American words spelled the British way, which the program speaks.
+static QString inBritishSpelling(QString text)
+{
+    constexpr std::array spellings{std::pair{"color", "colour"}, std::pair{"center", "centre"},
+                                   std::pair{"gray", "grey"}};
+    for (const auto& [american, british] : spellings)
+        text.replace(QLatin1StringView(american), QLatin1StringView(british), Qt::CaseInsensitive);
+    return text;
+}
+
+std::optional<NameMatch> matchName(const QString& typed, const QString& name)
+{
+    const QString text = typed.simplified();
+    if (text.isEmpty())
+        return NameMatch{};
+    if (auto match = matchSpelled(text, name))
+        return match;
+    const QString british = inBritishSpelling(text);
+    return british == text ? std::nullopt : matchSpelled(british, name);
 }
 
 } // namespace app

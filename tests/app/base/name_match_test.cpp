@@ -31,6 +31,16 @@ private slots:
             before = match->score;
         }
     }
+    void americanSpellingsFindBritishOnes()
+    {
+        QVERIFY(matchName("color", "Same colour"));
+        QVERIFY(matchName("take Color", "Take stroke colour"));
+        QCOMPARE(matchName("center", "Line at the centre")->letters,
+                 (Letters{12, 13, 14, 15, 16, 17}));
+        QCOMPARE(matchName("color", "color wheel")->score,
+                 matchName("colour", "colour wheel")->score);
+        QVERIFY(!matchName("colt", "Same colour"));
+    }
     void theLettersAreThoseThatWereTyped()
     {
         QCOMPARE(matchName("cut", "Draw and cut out")->letters, (Letters{9, 10, 11}));
