@@ -99,7 +99,15 @@ void PaneHeading::followNeeds()
         left_.isEmpty() ? app::insteadText(needs_, pane_->choice)
                         : Text::tr("%1 does not clip %2: %3")
                               .arg(accessibleName(), left_, app::limitText(pane_->choice, needs_));
-    setToolTip(instead.isEmpty() ? accessibleName() : instead);
+    // Otherwise the pane that clips more would seem to be slower.
+    QString timed;
+    if (!left_.isEmpty() && !where_.isEmpty())
+        timed = Text::tr("The time is that of the other windows.");
+    else if (left_.isEmpty() && needs_ > app::WindowNeeds::RotatedRectangle)
+        timed = Text::tr("The time is that of all windows, also of those that other algorithms "
+                         "cannot clip.");
+    const QString what = instead.isEmpty() ? accessibleName() : instead;
+    setToolTip(timed.isEmpty() ? what : what + u'\n' + timed);
     place();
     update();
 }
