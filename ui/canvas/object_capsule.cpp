@@ -61,12 +61,11 @@ void ObjectCapsule::addNumber(std::string_view key, bool labelled)
             emit session.refused(*refusal);
         follow();
     });
-    auto* label = quietLabel(labelled ? info.label : QString());
-    label->setVisible(labelled);
-    if (labelled)
+    QLabel* label = labelled ? quietLabel(info.label) : nullptr;
+    if (label)
         addPart(*label);
     addPart(*field);
-    numbers_.push_back({&info, labelled ? label : nullptr, field});
+    numbers_.push_back({&info, label, field});
 }
 
 void ObjectCapsule::setStroke(QWidget& stroke)
