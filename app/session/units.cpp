@@ -91,7 +91,11 @@ ObjectRanges unitsOf(const Session& session, const ObjectRanges& found, FoundGro
 
 ContainerId containerForNew(const Session& session)
 {
-    return session.entered.id() ? session.entered.id() : session.pen.layer;
+    const Containers& tree = session.now().containers();
+    for (const ContainerId id : {session.entered.id(), session.pen.layer})
+        if (id != 0 && tree.contains(id))
+            return id;
+    return tree.childrenOf(0).back(); // another drawing, which the session follows in a moment
 }
 
 ContainerId layerForNew(const Session& session)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_builder.h"
 #include "app/session/layer_steps.h"
+#include "app/session/rearrange_selection.h"
+#include "app/session/units.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -67,6 +69,31 @@ class LayerStepsTest : public QObject {
     };
 
 private slots:
+    // Menus ask while another drawing is loaded, in which the entered group does not exist.
+    void newObjectsAlwaysHaveALayer()
+    {
+        Drawing drawing;
+        drawing.pen.layer = drawing.e;
+        drawing.select({3});
+        groupSelection(drawing);
+        drawing.entered.enter(groupAt(drawing, 3));
+        QVERIFY(drawing.entered.id() != 0);
+        int asked = 0;
+        const auto ask = [&] {
+            ++asked;
+            QVERIFY(drawing.now().containers().contains(layerForNew(drawing)));
+            QVERIFY(mayAddObjects(drawing));
+            QVERIFY(!nameForNew(drawing).isEmpty());
+        };
+        connect(&drawing.document, &EditedDocument::changed, &drawing, ask);
+        for (const auto signal : {&Session::previewChanged, &Session::selectionChanged,
+                                  &Session::inspectedChanged, &Session::displayChanged})
+            connect(&drawing, signal, &drawing, ask);
+        connect(&drawing.scene, &Scene::outdated, &drawing, ask);
+        drawing.load({Document(), {}});
+        QVERIFY(asked > 0);
+        QVERIFY(drawing.now().containers().contains(drawing.pen.layer));
+    }
     void layersMoveWithTheirObjects()
     {
         Drawing drawing;
