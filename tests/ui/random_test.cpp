@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random keys, clicks, unfinished gestures and commands on all widgets of all windows, with several
 // files and whatever is on the clipboard.
-// The environment variables CLEARCUT_EVENTS and CLEARCUT_SEED set their number and the seed.
+// The environment variables CLEARCUT_EVENTS and CLEARCUT_SEED set their number and the first seed.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QClipboard>
@@ -11,6 +11,7 @@
 #include <QListView>
 #include <QMenu>
 #include <QMimeData>
+#include <QPointer>
 #include <QTimer>
 #include <QWheelEvent>
 
@@ -327,6 +328,7 @@ private:
     {
         test_.answers->open = oneOf(files_);
         test_.answers->save = test_.path(below(2) ? "random.svg" : "random.csv");
+        actions_.removeIf([](const auto& action) { return !action; }); // menus are filled anew
         QAction* action = oneOf(actions_);
         const QString text = action->text(); // of undo and redo it changes
         action->trigger();
@@ -445,7 +447,7 @@ private:
     std::mt19937_64 random_;
     TestWindow test_;
     NoBrowser noBrowser_;
-    QList<QAction*> actions_;
+    QList<QPointer<QAction>> actions_;
     QStringList files_;
     QTimer closer_;
     bool acting_ = false, answered_ = false;
@@ -458,14 +460,25 @@ class RandomTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // `deep`: 50,000 in all.
+    void randomEventsBreakNothing_data()
+    {
+        QTest::addColumn<quint64>("seed");
+        const bool deep = qEnvironmentVariableIntValue("CLEARCUT_DEEP") == 1;
+        const quint64 first = fromEnvironment("CLEARCUT_SEED", 1);
+        for (quint64 seed = first; seed < first + (deep ? 5 : 1); ++seed)
+            QTest::addRow("seed %llu", static_cast<unsigned long long>(seed)) << seed;
+    }
     void randomEventsBreakNothing()
     {
-        const auto events = fromEnvironment("CLEARCUT_EVENTS", 600);
-        Somebody somebody(fromEnvironment("CLEARCUT_SEED", 1));
+        QFETCH(quint64, seed);
+        const bool deep = qEnvironmentVariableIntValue("CLEARCUT_DEEP") == 1;
+        const auto events = fromEnvironment("CLEARCUT_EVENTS", deep ? 10'000 : 600);
+        Somebody somebody(seed);
         QString done;
         for (quint64 i = 0; i < events; ++i) {
             done = QStringLiteral("%1: %2").arg(i).arg(somebody.act());
-            if (events > 600) // helps to find a crash
+            if (qEnvironmentVariableIsSet("CLEARCUT_EVENTS")) // helps to find a crash
                 qInfo("%s", qPrintable(done));
             if (i % 3 == 0)
                 QCoreApplication::processEvents();
