@@ -58,7 +58,7 @@ public:
 
     std::size_t page() const { return page_; }
     std::size_t pages() const { return lesson() ? lesson()->pages.size() : 0; }
-    /// What is shown beside the figure; nothing before a lesson and while its list is looked at.
+    /// The parts that the page shows beside the figure; none if no page is open.
     LessonParts shows() const;
     const QString& text() const { return lesson()->pages[page_].text; }
     /// The page's explanation after its question is settled; empty before. It is about the page's

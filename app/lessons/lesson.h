@@ -14,7 +14,7 @@ struct QuestionSpec {
     QStringList words;
 };
 
-/// What a page shows beside the figure. A page shows only what it explains or uses.
+/// The parts that a page shows beside the figure: only those that it explains or uses.
 struct LessonParts {
     bool code = false;       ///< the pseudo-code
     bool variables = false;  ///< the table of variables

@@ -23,8 +23,8 @@ constexpr std::array units{TimeUnit{QT_TRANSLATE_NOOP("Text", "s"), 1e3},
                            TimeUnit{QT_TRANSLATE_NOOP("Text", "µs"), 1e-3},
                            TimeUnit{QT_TRANSLATE_NOOP("Text", "ns"), 1e-6}};
 constexpr double nearly = 1 - 1e-9; // powers of ten may be off by rounding
-constexpr double almostAll = 0.9;
-constexpr double justMore = 1.001; // to the next scale   // of a shorter lane: it would soon be too short again
+constexpr double almostAll = 0.9;   // of a shorter lane: it would soon be too short again
+constexpr double justMore = 1.001;  // leads to the next longer lane
 
 const TimeUnit& unitOf(double most)
 {

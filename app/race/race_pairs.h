@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// What a race has found out about one form of an algorithm.
+/// The result of a race for one form of an algorithm.
 struct FormResult {
     RaceRow row;
     Summary summary; ///< of its times

@@ -23,7 +23,7 @@ struct RaceStatement {
     friend bool operator==(const RaceStatement&, const RaceStatement&) = default;
 };
 
-/// What a verdict is about.
+/// The race that a verdict is about.
 struct RaceOutcome {
     std::span<const RaceRow> rows;         ///< without times: nothing was measured
     std::size_t lines = 0;                 ///< of the drawing

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/units.h"
 
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/document/hidden_objects.h"
 #include "app/document/moved_runs.h"
 #include "app/document/tree_draft.h"
+#include "app/session/node_numbers.h"
 
 namespace app {
 namespace {
@@ -122,6 +124,22 @@ QString nameForNew(const Session& session)
 ObjectRanges selectableObjects(const Session& session)
 {
     return common(editableObjects(session.now()), ObjectRanges(selectableRange(session)));
+}
+
+QString selectionText(const Session& session)
+{
+    if (session.nodes.someSelected())
+        return nodesText(session);
+    const ObjectRanges& selection = session.selection();
+    if (selection.empty())
+        return Text::tr("nothing selected");
+    const ContainerId group = groupAt(session, selection.first());
+    const bool isGroup =
+        group != 0 && selection == ObjectRanges(session.now().containers().rangeOf(group));
+    const QString count = countText(selection.size());
+    return selection.size() == 1 ? isGroup ? Text::tr("group of 1 object") : Text::tr("1 object")
+           : isGroup ? Text::tr("group of %1 objects").arg(count)
+                                 : Text::tr("%1 objects").arg(count);
 }
 
 QString groupName(const Container& group)

@@ -24,6 +24,8 @@ QString nameForNew(const Session& session); ///< of the entered group or layer, 
 /// All objects that may be selected: those of the entered group, or of the drawing.
 ObjectRanges selectableObjects(const Session& session);
 
+/// The selection in words: "3 objects", "group of 3 objects", "2 nodes", "nothing selected".
+QString selectionText(const Session& session);
 QString groupName(const Container& group); ///< for people; "Group" if it has no name
 
 /// Whether a group is selected as a whole. Quick, for menus: of a selection in many pieces, only

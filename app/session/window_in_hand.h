@@ -12,7 +12,7 @@ namespace app {
 const ClipRegion::Step* stepInHand(const Session& session);
 /// What it demands of an algorithm; a rectangle if there is none, since then nothing is cut.
 WindowNeeds needsInHand(const Session& session);
-/// What each visible window demands, with its name, in the order of the windows.
+/// The needs of each visible window, with its name, in the order of the windows.
 std::vector<NamedNeeds> needsByName(const Session& session);
 /// "for Star: concave, 10 edges", "for a window: rectangle"; empty without a window.
 QString headingInHand(const Session& session);

@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// What is drawn of the edges of a window: the infinite lines of a rectangle's, the sides of a
-/// polygon.
+/// The lines that are drawn for the edges of a window: the infinite lines of a rectangle's edges,
+/// the sides of a polygon.
 std::vector<QLineF> drawnEdges(const TracedLine& tracedLine, const FigureFrame& frame);
 
 /// Labels the edges and the window itself: their values, how far edges at the rim are, or the

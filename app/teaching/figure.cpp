@@ -14,16 +14,6 @@ namespace app {
 
 namespace {
 
-/// The data for painting every part of a figure.
-struct Picture {
-    QPainter& painter;
-    const TracedLine& tracedLine;
-    const StepScene& scene;
-    const FigureFrame& frame;
-    const FigureColours& colours;
-    double u; ///< the unit of strokes
-};
-
 QPen pen(const QColor& colour, double width, Qt::PenCapStyle cap = Qt::FlatCap)
 {
     return {colour, width, Qt::SolidLine, cap, Qt::MiterJoin};
@@ -36,7 +26,7 @@ QPen dashed(const QColor& colour, double width)
     return dashes;
 }
 
-void strike(const Picture& s, const clipping::Segment& line, const QPen& with)
+void strike(const FigurePainting& s, const clipping::Segment& line, const QPen& with)
 {
     if (const auto part = s.frame.part(line)) {
         s.painter.setPen(with);
@@ -45,21 +35,21 @@ void strike(const Picture& s, const clipping::Segment& line, const QPen& with)
 }
 
 /// Two short strokes across the middle of a rejected line.
-void crossOut(const Picture& s)
+void crossOut(const FigurePainting& s)
 {
     const auto part = s.frame.part(s.tracedLine.line);
     if (!part)
         return;
     const QPointF middle = part->center();
-    const double r = 7 * s.u;
-    s.painter.setPen(pen(s.colours.muted, 2.5 * s.u, Qt::RoundCap));
+    const double r = 7 * s.frame.unit();
+    s.painter.setPen(pen(s.colours.muted, 2.5 * s.frame.unit(), Qt::RoundCap));
     s.painter.drawLine(middle - QPointF(r, r), middle + QPointF(r, r));
     s.painter.drawLine(middle - QPointF(r, -r), middle + QPointF(r, -r));
 }
 
-void paintLine(const Picture& s)
+void paintLine(const FigurePainting& s)
 {
-    const QPen gone = dashed(s.colours.muted, 1.75 * s.u);
+    const QPen gone = dashed(s.colours.muted, 1.75 * s.frame.unit());
     if (s.scene.state == StepScene::State::Rejected) {
         strike(s, s.tracedLine.line, gone);
         crossOut(s);
@@ -68,14 +58,14 @@ void paintLine(const Picture& s)
     for (const auto& piece : s.scene.discarded)
         strike(s, piece, gone);
     for (const auto& piece : s.scene.discardedNow)
-        strike(s, piece, dashed(s.colours.highlight, 2 * s.u));
+        strike(s, piece, dashed(s.colours.highlight, 2 * s.frame.unit()));
     const bool accepted = s.scene.state == StepScene::State::Accepted;
     const auto& left = s.scene.left;
-    strike(s, left, pen(s.colours.text, (accepted ? 4.5 : 3.5) * s.u));
+    strike(s, left, pen(s.colours.text, (accepted ? 4.5 : 3.5) * s.frame.unit()));
     if (left.a == left.b && s.frame.shows(left.a)) {
         s.painter.setPen(Qt::NoPen);
         s.painter.setBrush(s.colours.text);
-        s.painter.drawEllipse(s.frame.at(left.a), 3 * s.u, 3 * s.u);
+        s.painter.drawEllipse(s.frame.at(left.a), 3 * s.frame.unit(), 3 * s.frame.unit());
     }
 }
 
@@ -101,13 +91,14 @@ QPolygonF arrowHead(const FigureMark& mark, double r)
                      mark.place - ahead * 0.6 - aside * 0.75};
 }
 
-void paintMark(const Picture& s, const FigureMark& mark)
+void paintMark(const FigurePainting& s, const FigureMark& mark)
 {
     using Shape = FigureMark::Shape;
     const QColor colour = colourOf(mark.tone, s.colours);
     const double r = radiusOf(mark, s.frame);
     const bool hollow = mark.shape == Shape::End || mark.shape == Shape::Candidate;
-    s.painter.setPen(hollow ? pen(colour, 2 * s.u) : pen(s.colours.paper, 1.5 * s.u));
+    s.painter.setPen(hollow ? pen(colour, 2 * s.frame.unit())
+                            : pen(s.colours.paper, 1.5 * s.frame.unit()));
     s.painter.setBrush(hollow ? s.colours.paper : colour);
     if (mark.shape == Shape::End)
         s.painter.drawEllipse(mark.place, r, r);
@@ -123,19 +114,19 @@ QColor headColour(FigureLabel::Tone tone, const FigureColours& colours)
     return row[std::size_t(tone)];
 }
 
-void paintLeader(const Picture& s, const FigureLabel& label)
+void paintLeader(const FigurePainting& s, const FigureLabel& label)
 {
     if (!label.leader)
         return;
     const QPointF& mark = *label.leader;
     const QPointF from(std::clamp(mark.x(), label.box.left(), label.box.right()),
                        std::clamp(mark.y(), label.box.top(), label.box.bottom()));
-    s.painter.setPen(pen(s.colours.muted, 0.75 * s.u));
+    s.painter.setPen(pen(s.colours.muted, 0.75 * s.frame.unit()));
     s.painter.drawLine(from, mark);
 }
 
 /// Paints a label's texts into an area at the origin.
-void paintTexts(const Picture& s, const FigureLabel& label, const QRectF& text)
+void paintTexts(const FigurePainting& s, const FigureLabel& label, const QRectF& text)
 {
     const QFont head = headFont(s.frame, label.tone), detail = detailFont(s.frame);
     const QFontMetricsF heads(head), details(detail);
@@ -154,7 +145,7 @@ void paintTexts(const Picture& s, const FigureLabel& label, const QRectF& text)
                        label.detail);
 }
 
-void paintLabel(const Picture& s, const FigureLabel& label)
+void paintLabel(const FigurePainting& s, const FigureLabel& label)
 {
     const bool highlight = label.tone == FigureLabel::Tone::Highlighted;
     if (highlight || label.coversEdge) {
@@ -163,7 +154,7 @@ void paintLabel(const Picture& s, const FigureLabel& label)
             ground.setAlphaF(0.82F);
         s.painter.setPen(Qt::NoPen);
         s.painter.setBrush(ground);
-        s.painter.drawRoundedRect(label.box, 2 * s.u, 2 * s.u);
+        s.painter.drawRoundedRect(label.box, 2 * s.frame.unit(), 2 * s.frame.unit());
     }
     QRectF area = label.box;
     s.painter.save();
@@ -183,13 +174,12 @@ void paintStep(QPainter& painter, const TraceStep& at, const FigureFrame& frame,
 {
     const auto& [tracedLine, narration, step] = at;
     const StepScene scene = stepScene(tracedLine, narration, step);
-    const Picture picture{painter, tracedLine, scene, frame, colours, frame.unit()};
+    const FigurePainting picture{painter, tracedLine, scene, frame, colours};
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(frame.picture(), colours.paper);
-    const WindowPainting window{painter, tracedLine, scene, frame, colours};
-    paintGround(window);
-    paintWindow(window);
+    paintGround(picture);
+    paintWindow(picture);
     paintLine(picture);
     const auto labels = figureLabels(tracedLine, narration, scene, frame);
     for (const FigureLabel& label : labels)

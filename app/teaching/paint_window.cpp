@@ -14,7 +14,7 @@ namespace app {
 namespace {
 
 using clipping::Edge;
-using Painting = WindowPainting;
+using Painting = FigurePainting;
 
 constexpr std::array rectangleEdges{Edge::Left, Edge::Right, Edge::Bottom, Edge::Top};
 
@@ -25,7 +25,7 @@ QPen outlinePen(const QColor& colour, double width, Qt::PenCapStyle cap = Qt::Fl
     return {colour, width, Qt::SolidLine, cap, Qt::MiterJoin};
 }
 
-/// What lies beyond the line of a polygon's side.
+/// The part of the picture beyond the line of a polygon's side.
 QPolygonF beyondSide(const Painting& s, std::size_t number)
 {
     const auto [from, to] = polygonEdge(number, s.tracedLine.corners);
@@ -117,7 +117,7 @@ void paintBreak(const Painting& s, const FigureEdges::Break& mark)
 
 } // namespace
 
-void paintGround(const WindowPainting& s)
+void paintGround(const FigurePainting& s)
 {
     s.painter.setPen(Qt::NoPen);
     s.painter.setBrush(s.colours.beyond);
@@ -127,7 +127,7 @@ void paintGround(const WindowPainting& s)
         s.painter.drawRect(FigureEdges(s.tracedLine, s.frame).beyond(s.scene.edge));
 }
 
-void paintWindow(const WindowPainting& s)
+void paintWindow(const FigurePainting& s)
 {
     if (!s.tracedLine.corners.empty())
         return paintPolygon(s);

@@ -8,8 +8,8 @@ class QPainter;
 
 namespace app {
 
-/// What the window of a figure is painted with.
-struct WindowPainting {
+/// The painter of a figure, and everything that its parts are painted from.
+struct FigurePainting {
     QPainter& painter;
     const TracedLine& tracedLine;
     const StepScene& scene;
@@ -18,9 +18,9 @@ struct WindowPainting {
 };
 
 /// Fills what the edge of the step cuts off with a ground of its own.
-void paintGround(const WindowPainting& with);
+void paintGround(const FigurePainting& with);
 /// Paints the window, the infinite lines of its edges, the edge of the step, and the break marks of
 /// edges at the rim (figure_edges.h).
-void paintWindow(const WindowPainting& with);
+void paintWindow(const FigurePainting& with);
 
 } // namespace app

@@ -11,7 +11,7 @@ namespace app {
 
 namespace {
 
-/// What a place can hide, in the picture.
+/// The lines and marks that a place can hide, in the picture.
 struct Marks {
     std::vector<QPointF> points; ///< ends and cuts
     std::vector<QLineF> line, edges;

@@ -36,7 +36,6 @@ ArrangeRow::ArrangeRow(app::Session& session, QWidget* parent)
     connect(&session, &app::Session::displayChanged, this, &ArrangeRow::follow);
     connect(&session.document, &app::EditedDocument::changed, this, &ArrangeRow::follow,
             Qt::QueuedConnection); // the selection may not be updated yet
-    follow();
 }
 
 void ArrangeRow::addButtons(QHBoxLayout& row)
@@ -93,9 +92,17 @@ void ArrangeRow::showOptions(bool shown)
     layout()->invalidate(); // or its size is that of before, until events are handled
 }
 
-/// The tooltip of a disabled button says why.
+void ArrangeRow::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+/// The tooltip of a disabled button says why. Asks nothing while it is hidden.
 void ArrangeRow::follow()
 {
+    if (!isVisible())
+        return;
     for (const auto& [button, how] : buttons_) {
         const QString why = app::refusal(*how, session_);
         const QString name =

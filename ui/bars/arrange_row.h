@@ -33,6 +33,9 @@ public:
 signals:
     void done(); ///< the focus should return to the canvas
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void addButtons(QHBoxLayout& row);
     QToolButton* makeButton(const app::Arrangement& how);

@@ -79,10 +79,10 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
              [this] { return drawsOrRests() || (arranges() && !canvas_.hasWholeCapsule()); });
     addGroup([this] { addStyle(); }, [this] { return drawsOrRests() || arranges(); });
     addGroup([this] { addWidget(arranging_); }, [this] { return arranges(); });
-    addGroup([this] { addWidget(nodes_); }, [this] { return uses({"nodes"}); });
-    addGroup([this] { addWidget(view_); }, [this] { return uses({"hand", "zoom"}); });
+    addGroup([this] { addWidget(nodes_); }, [this] { return has(ToolInfo::Options::Nodes); });
+    addGroup([this] { addWidget(view_); }, [this] { return has(ToolInfo::Options::View); });
     addGroup([&] { addWidget(new WindowOptions(session_, canvas_)); },
-             [this] { return uses({"window"}); });
+             [this] { return has(ToolInfo::Options::Window); });
     addGroup([this] { addWidget(shape_); }, [this] { return shape_->offersSome(); });
     connect(shape_, &ShapeOptions::refused, this, &OptionBar::refused);
     connect(shape_, &ShapeOptions::taken, this, &OptionBar::taken);
@@ -105,17 +105,21 @@ void OptionBar::addGroup(const std::function<void()>& add, std::function<bool()>
     groups_.push_back({actions().mid(before), std::move(offered), until});
 }
 
-bool OptionBar::uses(std::initializer_list<std::string_view> tools) const
+bool OptionBar::has(ToolInfo::Options options) const
 {
-    return std::ranges::find(tools, canvas_.tool()) != tools.end();
+    return findTool(canvas_.tool())->options == options;
 }
 
-bool OptionBar::arranges() const { return uses({"select"}) && !session_.selection().empty(); }
+bool OptionBar::arranges() const
+{
+    return has(ToolInfo::Options::Arranging) && !session_.selection().empty();
+}
 
 /// With Select and nothing selected, what is drawn next is in hand.
 bool OptionBar::drawsOrRests() const
 {
-    return !uses({"nodes", "hand", "zoom", "window"}) && !arranges();
+    return has(ToolInfo::Options::Stroke)
+           || (has(ToolInfo::Options::Arranging) && session_.selection().empty());
 }
 
 /// Only says what is in hand: the tools are at the side.
@@ -180,7 +184,10 @@ void OptionBar::addClipping()
             addCaption(Text::tr("Removed part"));
             addWidget(removed_);
         },
-        [this, hasWindows] { return hasWindows() && (drawsOrRests() || uses({"window"})); }, 3);
+        [this, hasWindows] {
+            return hasWindows() && (drawsOrRests() || has(ToolInfo::Options::Window));
+        },
+        3);
     connect(keep_, &Segments::picked, this,
             [this](int index) { setKeep(session_, app::Keep(index)); });
     connect(removed_, &Segments::picked, this, [this](int index) {
@@ -203,7 +210,9 @@ void OptionBar::addPanes()
             addCaption(Text::tr("Panes"));
             addWidget(panes_);
         },
-        [this] { return !uses({"nodes"}) && (panesOffered_ || canvas_.panes().size() > 1); });
+        [this] {
+            return !has(ToolInfo::Options::Nodes) && (panesOffered_ || canvas_.panes().size() > 1);
+        });
     connect(panes_, &Segments::picked, this, [this](int index) {
         app::Panes panes = canvas_.panes();
         std::size_t(index) < counts.size() ? panes.show(counts[std::size_t(index)])

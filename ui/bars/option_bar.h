@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/style/colour_choice.h"
+#include "ui/tools/tool.h"
 
 #include <QLabel>
 #include <QToolBar>
@@ -73,8 +74,8 @@ private:
     void addExport();
     void addGroup(const std::function<void()>& add, std::function<bool()> offered, int until = 99);
     QLabel* addCaption(const QString& text);
-    bool uses(std::initializer_list<std::string_view> tools) const;
-    bool arranges() const; ///< the selected objects are in hand
+    bool has(ToolInfo::Options options) const; ///< the tool in hand
+    bool arranges() const;                     ///< the selected objects are in hand
     bool drawsOrRests() const;
     void follow();
     void fitInto(int width);

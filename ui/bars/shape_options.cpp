@@ -25,6 +25,7 @@ struct ShapeOptions::Option {
     std::size_t number; ///< which of the tool's numbers
     Kind kind;
     app::Numbers usual;
+    bool ofWindows = true; ///< also of clip windows of this shape
 };
 
 std::span<const ShapeOptions::Option> ShapeOptions::options()
@@ -35,7 +36,7 @@ std::span<const ShapeOptions::Option> ShapeOptions::options()
         Option{"polygon", Text::tr("Sides"), 2, Count, app::usualPolygon()},
         Option{"star", Text::tr("Points"), 2, Count, app::usualStar()},
         Option{"star", Text::tr("Inner radius"), 3, Percent, app::usualStar()},
-        Option{"rectangle", Text::tr("Corner radius"), 2, Length, {}}};
+        Option{"rectangle", Text::tr("Corner radius"), 2, Length, {}, false}};
     return all;
 }
 
@@ -57,18 +58,16 @@ ShapeOptions::ShapeOptions(app::Session& session, Canvas& canvas)
     follow();
 }
 
-std::string_view ShapeOptions::shapeInHand() const
+bool ShapeOptions::offers(const Option& option) const
 {
-    return canvas_.tool() == "window" ? session_.windowPen.kind : canvas_.tool();
+    const bool isWindow = canvas_.tool() == "window";
+    return option.shape == (isWindow ? session_.windowPen.kind : canvas_.tool())
+           && (!isWindow || option.ofWindows);
 }
 
 bool ShapeOptions::offersSome() const
 {
-    // The corners of a clip window that is a rectangle are sharp.
-    const std::string_view shape = shapeInHand();
-    return std::ranges::any_of(options(),
-                               [&](const Option& option) { return option.shape == shape; })
-           && !(canvas_.tool() == "window" && shape == "rectangle");
+    return std::ranges::any_of(options(), [this](const Option& option) { return offers(option); });
 }
 
 QWidget* ShapeOptions::makeField(const Option& option)
@@ -115,9 +114,8 @@ void ShapeOptions::set(const Option& option, double number)
 
 void ShapeOptions::follow()
 {
-    const std::string_view shape = shapeInHand();
     for (const auto& [option, label, field] : fields_) {
-        const bool isShown = option->shape == shape;
+        const bool isShown = offers(*option);
         label->setVisible(isShown);
         field->setVisible(isShown);
         const double number =

@@ -29,7 +29,7 @@ signals:
 private:
     struct Option;
     static std::span<const Option> options();
-    std::string_view shapeInHand() const;
+    bool offers(const Option& option) const;
     QWidget* makeField(const Option& option);
     void set(const Option& option, double number);
     void follow();

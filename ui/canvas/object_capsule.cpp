@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/object_capsule.h"
 
-#include "app/session/selection_words.h"
+#include "app/session/units.h"
 #include "ui/canvas/window_overlay.h"
 #include "ui/look/text.h"
 #include "ui/tools/end_drag.h"
@@ -84,8 +84,8 @@ void ObjectCapsule::setForm(Form form)
 bool ObjectCapsule::isFor() const
 {
     const app::Session& session = controller().session();
-    return controller().toolInfo().key == "select" && !controller().actsOnWindow()
-           && !session.nodes.shown() && session.selectionBounds();
+    return controller().toolInfo().options == ToolInfo::Options::Arranging
+           && !controller().actsOnWindow() && !session.nodes.shown() && session.selectionBounds();
 }
 
 bool ObjectCapsule::followSubject()

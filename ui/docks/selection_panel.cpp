@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/selection_panel.h"
 
-#include "app/session/selection_words.h"
+#include "app/session/units.h"
 #include "ui/docks/node_fields.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"

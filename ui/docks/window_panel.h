@@ -43,7 +43,6 @@ private:
     void addTools(QHBoxLayout& row);
     QWidget* makeOffer(); ///< shown if there is no clip window
     QToolButton* makeAdd();
-    QMenu* makeAddMenu();
     void follow();
     void openColours();
     void setColour(const std::optional<app::Colour>& colour);

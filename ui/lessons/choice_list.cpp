@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/choice_list.h"
 
-#include "ui/lessons/page_type.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -66,7 +65,7 @@ ChoiceList::ChoiceList(QWidget* parent)
 {
     column_->setContentsMargins(inset, inset, inset, inset);
     column_->setSpacing(space::labelToField - 2);
-    wearPageFont(*prompt_, pageType::question, QFont::DemiBold);
+    wearFont(*prompt_, pageType::question, QFont::DemiBold);
     onStage_->setText(Text::tr("You can also click the edge in the figure."));
     onStage_->setForegroundRole(QPalette::PlaceholderText);
     giveUp_->setObjectName(QStringLiteral("show-answer"));

@@ -9,6 +9,11 @@
 
 namespace ui {
 
+/// The sizes of type on a lesson's page, as multiples of the program's (wearFont()).
+namespace pageType {
+constexpr double title = 2.0, question = 1.3, text = 1.23;
+} // namespace pageType
+
 class LookLabel;
 
 /// A question with a button for each answer, which shows the digit that gives it. After a first

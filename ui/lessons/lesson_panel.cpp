@@ -5,7 +5,6 @@
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_list.h"
 #include "ui/lessons/page_dots.h"
-#include "ui/lessons/page_type.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/link_button.h"
@@ -42,7 +41,7 @@ QPushButton* button(const QString& text, const QString& tip)
 QString richText(const QString& markdown)
 {
     QTextDocument document;
-    document.setDefaultFont(pageFont(pageType::text));
+    document.setDefaultFont(scaledFont(QApplication::font(), pageType::text));
     document.setMarkdown(markdown);
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();
@@ -125,7 +124,7 @@ QLayout* LessonPanel::makeHead()
     all->setAccessibleName(all->toolTip());
     connect(all, &QToolButton::clicked, this, &LessonPanel::showList);
     place_->setForegroundRole(QPalette::PlaceholderText);
-    wearPageFont(*title_, pageType::title, QFont::Bold);
+    wearFont(*title_, pageType::title, QFont::Bold);
     title_->setWordWrap(true);
     auto* row = new QHBoxLayout;
     row->addWidget(place_, 1);
@@ -141,7 +140,7 @@ QLayout* LessonPanel::makeHead()
 /// The text with the question below; scrolls if there is too little room.
 QWidget* LessonPanel::makeBody()
 {
-    wearPageFont(*ending_, pageType::text, QFont::DemiBold);
+    wearFont(*ending_, pageType::text, QFont::DemiBold);
     for (QLabel* label : {text_, told_, ending_}) {
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -5,6 +5,8 @@
 #include <QEvent>
 #include <QWidget>
 
+#include <functional>
+
 namespace ui {
 
 namespace {
@@ -81,21 +83,28 @@ const Look& lookOnPaper(bool dark) { return lookOf(dark ? Theme::Dark : Theme::L
 
 QColor errorColour(const Look& look) { return look.dark ? 0xFF9A9A : 0xA3161B; }
 
+QFont scaledFont(QFont font, double factor, QFont::Weight weight)
+{
+    if (font.pixelSize() > 0)
+        font.setPixelSize(qRound(font.pixelSize() * factor));
+    else
+        font.setPointSizeF(font.pointSizeF() * factor);
+    font.setWeight(weight);
+    return font;
+}
+
 QFont captionFont(const QFont& body)
 {
-    QFont font = body;
-    if (body.pixelSize() > 0)
-        font.setPixelSize(qRound(body.pixelSize() * 0.92));
-    else
-        font.setPointSizeF(body.pointSizeF() * 0.92);
-    return font;
+    constexpr double smaller = 0.92;
+    return scaledFont(body, smaller, body.weight());
 }
 
 namespace {
 
-class Caption : public QObject {
+class WornFont : public QObject {
 public:
-    explicit Caption(QWidget& widget) : QObject(&widget), widget_(widget)
+    WornFont(QWidget& widget, std::function<QFont(const QFont&)> of)
+        : QObject(&widget), widget_(widget), of_(std::move(of))
     {
         widget.installEventFilter(this);
         wear();
@@ -112,16 +121,22 @@ protected:
 private:
     void wear()
     {
-        if (const QFont caption = captionFont(QApplication::font()); widget_.font() != caption)
-            widget_.setFont(caption);
+        if (const QFont font = of_(QApplication::font()); widget_.font() != font)
+            widget_.setFont(font);
     }
 
     QWidget& widget_;
+    std::function<QFont(const QFont&)> of_;
 };
 
 } // namespace
 
-void wearCaption(QWidget& widget) { new Caption(widget); }
+void wearFont(QWidget& widget, double factor, QFont::Weight weight)
+{
+    new WornFont(widget, [=](const QFont& body) { return scaledFont(body, factor, weight); });
+}
+
+void wearCaption(QWidget& widget) { new WornFont(widget, captionFont); }
 
 QFont semiBold(QFont font)
 {

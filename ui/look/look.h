@@ -54,10 +54,13 @@ constexpr int optionsHeight = 40, dockTitleHeight = 28, rowHeight = 26, denseRow
               fieldHeight = 26, statusHeight = 26, toolButton = 30, toolBarWidth = 44, radius = 3;
 } // namespace space
 
+/// The font in another size and weight.
+QFont scaledFont(QFont font, double factor, QFont::Weight weight = QFont::Normal);
 /// Table, status and caption text is 0.92 times the body font's size.
 QFont captionFont(const QFont& body);
-/// Gives the widget the caption font of the program's font, and keeps it so: a font that is only
-/// set is lost when a widget without a parent gets one, or the style sheet changes (Qt 6.4).
+/// Gives the widget that font of the program's font, and keeps it so: a font that is only set is
+/// lost when a widget without a parent gets one, or the style sheet changes (Qt 6.4).
+void wearFont(QWidget& widget, double factor, QFont::Weight weight = QFont::Normal);
 void wearCaption(QWidget& widget);
 QFont semiBold(QFont font);
 

@@ -33,18 +33,18 @@ std::span<const ToolInfo> tools()
             Text::tr(
                 "Click an object, or drag a box. Shift adds. Double click: show nodes, or enter a "
                 "group."),
-            QKeySequence("V"), makeSelectTool},
+            QKeySequence("V"), makeSelectTool, ToolInfo::Group::Same, ToolInfo::Options::Arranging},
         ToolInfo{"nodes", Text::tr("Nodes"),
                  Text::tr("Click a path, then drag its nodes, handles and segments. Double click "
                           "on it: add a "
                           "node."),
-                 QKeySequence("N"), makeNodesTool},
+                 QKeySequence("N"), makeNodesTool, ToolInfo::Group::Same, ToolInfo::Options::Nodes},
         ToolInfo{"hand", Text::tr("Hand"), Text::tr("Drag to move the view."), QKeySequence("H"),
-                 makeHandTool},
+                 makeHandTool, ToolInfo::Group::Same, ToolInfo::Options::View},
         ToolInfo{
             "zoom", Text::tr("Zoom"),
             Text::tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
-            QKeySequence("Z"), makeZoomTool},
+            QKeySequence("Z"), makeZoomTool, ToolInfo::Group::Same, ToolInfo::Options::View},
         ToolInfo{
             "line", Text::tr("Line"),
             Text::tr(
@@ -104,7 +104,8 @@ std::span<const ToolInfo> tools()
         ToolInfo{"window", Text::tr("Clip window"),
                  Text::tr("Drag beside the windows to draw one, or a window to move it. Click: "
                           "choose a window."),
-                 QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},
+                 QKeySequence("W"), makeWindowTool, ToolInfo::Group::New,
+                 ToolInfo::Options::Window},
     };
     return all;
 }

@@ -21,16 +21,22 @@ app::Point handleAbove(const clipping::Window& box, const app::View& view)
     return view.toScreen(app::placeOf({0, -1}, box)) - app::Point(0, aboveBox);
 }
 
-/// The place of the cross on the screen. In the middle of a line or of a small selection it would
-/// be in the way of moving them, so until it is put elsewhere it waits beside the rotation handle.
-app::Point crossAt(const clipping::Window& box, const Workbench& bench)
+/// Whether the cross and the rotation handle would be in the way: of a line, a text or a small
+/// selection, until the cross is put elsewhere.
+bool areInTheWay(const clipping::Window& box, const Workbench& bench)
 {
     const app::Point size = bench.view.toScreen(box.max) - bench.view.toScreen(box.min);
-    const bool isSmall = lineWithHandles(bench.session) || SelectionMarks::isQuiet(bench.session)
-                         || std::max(size.x, size.y) < leastForPivot;
-    return isSmall && !bench.session.pivot.isMoved()
-               ? handleAbove(box, bench.view) + app::Point(besideRotation, 0)
-               : bench.view.toScreen(bench.session.pivot.at());
+    return !bench.session.pivot.isMoved()
+           && (lineWithHandles(bench.session) || SelectionMarks::isQuiet(bench.session)
+               || std::max(size.x, size.y) < leastForPivot);
+}
+
+/// The place of the cross on the screen. Where it would be in the way, it waits beside the rotation
+/// handle.
+app::Point crossAt(const clipping::Window& box, const Workbench& bench)
+{
+    return areInTheWay(box, bench) ? handleAbove(box, bench.view) + app::Point(besideRotation, 0)
+                                   : bench.view.toScreen(bench.session.pivot.at());
 }
 
 } // namespace
@@ -62,9 +68,7 @@ QPointF PivotMarks::rotationHandle(const Workbench& bench)
 void PivotMarks::paint(QPainter& painter, const Workbench& bench, bool near)
 {
     const auto& box = bench.session.selectionBounds();
-    const bool hides = !near && !bench.session.pivot.isMoved();
-    const bool isQuiet = lineWithHandles(bench.session) || SelectionMarks::isQuiet(bench.session);
-    if (!box || (hides && (isQuiet || SelectionMarks::isSmall(*box, bench))))
+    if (!box || (!near && areInTheWay(*box, bench)))
         return;
     const app::Point cross = crossAt(*box, bench);
     paintPivot(painter, {cross.x, cross.y}, bench.look);

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double outside = 6, quietOutside = 4; // pixels, from the objects to the box
 constexpr double nearby = 24;                   // pixels, to the pointer
-constexpr double small = 48;                    // pixels
 constexpr double handleRadius = 4, casing = 3;
 
 QRectF around(const QPointF& centre)
@@ -43,12 +42,6 @@ bool SelectionMarks::isQuiet(const app::Session& session)
     return selection.size() == 1
            && std::holds_alternative<app::TextRecipe>(
                session.now().objects()[selection.first()].particulars().recipe);
-}
-
-bool SelectionMarks::isSmall(const clipping::Window& bounds, const Workbench& bench)
-{
-    const app::Point size = bench.view.toScreen(bounds.max) - bench.view.toScreen(bounds.min);
-    return std::max(size.x, size.y) < small;
 }
 
 void SelectionMarks::paint(QPainter& painter, const Workbench& bench,

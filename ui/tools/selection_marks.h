@@ -15,8 +15,6 @@ public:
                        const Workbench& bench);
     /// The selected object is a text: a quiet box, until the pointer is near.
     static bool isQuiet(const app::Session& session);
-    /// Whether it is so small that what rotates it is in the way until the pointer is near.
-    static bool isSmall(const clipping::Window& bounds, const Workbench& bench);
     /// `near`: as isNear() says.
     static void paint(QPainter& painter, const Workbench& bench, const clipping::Window& bounds,
                       bool near);

@@ -183,6 +183,9 @@ struct ToolInfo {
     std::unique_ptr<Tool> (*make)();
     enum class Group : std::uint8_t { Same, New };
     Group group = Group::Same; ///< New: a separator precedes it in bars and menus
+    /// What the bar across the top has for it. Stroke: that of what it draws.
+    enum class Options : std::uint8_t { Stroke, Arranging, Nodes, View, Window };
+    Options options = Options::Stroke;
 };
 
 /// Every tool, in the order of the tool bar.

@@ -27,6 +27,16 @@ class StrokeRowTest : public QObject {
         app::Session& session() { return window->session(); }
         StrokeRow& bar() { return *window->optionBar().findChild<StrokeRow*>(); }
         StrokeRow& capsule() { return *window->canvas().findChild<StrokeRow*>(); }
+        /// Into the capsule's field, without Enter.
+        LengthField& type(const char* text)
+        {
+            LengthField& width = capsule().width();
+            (void)QTest::qWaitFor([&] { return width.isVisible(); });
+            width.setFocus();
+            width.selectAll();
+            QTest::keyClicks(&width, text);
+            return width;
+        }
         double width(std::size_t i) { return session().now().objects()[i].style().width; }
     };
 
@@ -74,11 +84,7 @@ private slots:
     {
         Rows rows;
         rows.session().select({0});
-        LengthField& width = rows.capsule().width();
-        QTRY_VERIFY(width.isVisible());
-        width.setFocus();
-        width.selectAll();
-        QTest::keyClicks(&width, "9");
+        LengthField& width = rows.type("9");
         rows.session().changeDisplay([](app::Display& d) { d.guides = !d.guides; });
         QTest::keyClick(&width, Qt::Key_Return);
         QCOMPARE(rows.width(0), 9.0);
@@ -87,17 +93,11 @@ private slots:
     {
         Rows rows;
         rows.session().select({0});
-        LengthField& width = rows.capsule().width();
-        QTRY_VERIFY(width.isVisible());
-        width.setFocus();
-        width.selectAll();
-        QTest::keyClicks(&width, "5");
+        LengthField& width = rows.type("5");
         QTest::keyClick(&width, Qt::Key_Return);
         QCOMPARE(rows.width(0), 5.0);
         QCOMPARE(rows.window->focusWidget(), rows.drawingArea());
-        width.setFocus();
-        width.selectAll();
-        QTest::keyClicks(&width, "7");
+        rows.type("7");
         rows.session().select({1}); // while the field is open
         QCOMPARE(rows.width(0), 5.0);
         QCOMPARE(rows.width(1), 3.0);
