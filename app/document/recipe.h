@@ -31,12 +31,18 @@ struct StarRecipe {
     int points = 5;              ///< number of outer corners
     friend bool operator==(const StarRecipe&, const StarRecipe&) = default;
 };
+/// Which letters of a family: its bold and italic ones, where it has them.
+struct FontFace {
+    bool bold = false, italic = false;
+    friend bool operator==(const FontFace&, const FontFace&) = default;
+};
 struct TextRecipe {
     QString text, font;
     double size = 0;
     Point at;              ///< the start of the baseline
     double turn = 0;       ///< the direction of the baseline
     bool mirrored = false; ///< the letters stand on the other side of the baseline, head down
+    FontFace face{};       ///< only of an installed font
     friend bool operator==(const TextRecipe&, const TextRecipe&) = default;
 };
 constexpr double roundingOfRecipes = 1e-9; ///< in reading and mapping them, relative to the size

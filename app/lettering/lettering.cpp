@@ -23,7 +23,7 @@ Letters lettersOf(const TextRecipe& text)
 {
     if (const StrokeFont* const font = findStrokeFont(text.font))
         return strokeLetters(text.text, *font);
-    return hasFont(text.font) ? outlineLetters(text.text, text.font) : Letters{};
+    return hasFont(text.font) ? outlineLetters(text.text, text.font, text.face) : Letters{};
 }
 
 } // namespace

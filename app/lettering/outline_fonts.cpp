@@ -34,6 +34,21 @@ const QStringList& outlineFonts()
     return families;
 }
 
+FontFace faceOf(const QString& family, const FontFace& wanted)
+{
+    if (!outlineFonts().contains(family))
+        return {};
+    const QStringList styles = QFontDatabase::styles(family);
+    for (const FontFace& face :
+         {wanted, FontFace{wanted.bold, false}, FontFace{false, wanted.italic}})
+        if (std::ranges::any_of(styles, [&](const QString& style) {
+                return QFontDatabase::bold(family, style) == face.bold
+                       && QFontDatabase::italic(family, style) == face.italic;
+            }))
+            return face;
+    return {};
+}
+
 bool hasFont(const QString& name) { return findStrokeFont(name) || outlineFonts().contains(name); }
 
 QString fontInsteadOf(const QString& name)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/recipe.h"
+
 #include <QStringList>
 
 namespace app {
@@ -8,6 +10,10 @@ namespace app {
 /// The families of outline fonts that are installed on the computer, in alphabetic order. Read
 /// once; empty in a program without a QGuiApplication.
 const QStringList& outlineFonts();
+
+/// Of what is asked for, what the family has; nothing of a font of strokes. Qt would slant and
+/// thicken other letters by itself, which nobody designed.
+FontFace faceOf(const QString& family, const FontFace& wanted);
 
 /// Whether letters can be written in this font: one of strokes, or an installed one.
 bool hasFont(const QString& name);

@@ -66,9 +66,11 @@ std::vector<Subpath> frame(double width, double height)
     return paths;
 }
 
-QFont fontOf(const QString& family)
+QFont fontOf(const QString& family, const FontFace& face)
 {
     QFont font(family);
+    font.setBold(face.bold);
+    font.setItalic(face.italic);
     font.setPixelSize(pixelsPerEm);
     font.setHintingPreference(QFont::PreferNoHinting);
     // A letter that the font lacks is named, not taken from another font.
@@ -78,8 +80,8 @@ QFont fontOf(const QString& family)
 
 class OutlineWriter {
 public:
-    explicit OutlineWriter(const QString& family)
-        : font_(fontOf(family)), raw_(QRawFont::fromFont(font_))
+    OutlineWriter(const QString& family, const FontFace& face)
+        : font_(fontOf(family, face)), raw_(QRawFont::fromFont(font_))
     {
         const double capital = raw_.capHeight();
         done.capital = capital > 0 ? capital : usualCapital * pixelsPerEm;
@@ -157,9 +159,9 @@ private:
 
 } // namespace
 
-Letters outlineLetters(const QString& text, const QString& family)
+Letters outlineLetters(const QString& text, const QString& family, const FontFace& face)
 {
-    OutlineWriter writer(family);
+    OutlineWriter writer(family, face);
     writer.write(text);
     return std::move(writer.done);
 }

@@ -32,13 +32,14 @@ struct WriteRecipe {
     void operator()(const StarRecipe& r) const { out.put(r); }
     void operator()(const TextRecipe& r) const
     {
-        const auto& [text, font, size, at, turn, mirrored] = r;
+        const auto& [text, font, size, at, turn, mirrored, face] = r;
         out.put(text);
         out.put(font);
         out.put(size);
         out.put(at);
         out.put(turn);
-        out.put(std::uint8_t(mirrored));
+        for (const bool flag : {mirrored, face.bold, face.italic})
+            out.put(std::uint8_t(flag));
     }
 };
 
@@ -61,7 +62,8 @@ Recipe readRecipe(ByteReader& in)
         text.size = in.get<double>();
         text.at = in.get<Point>();
         text.turn = in.get<double>();
-        text.mirrored = in.flag();
+        for (bool* const flag : {&text.mirrored, &text.face.bold, &text.face.italic})
+            *flag = in.flag();
         return text;
     }
     default:

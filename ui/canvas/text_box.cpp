@@ -2,7 +2,9 @@
 #include "ui/canvas/text_box.h"
 
 #include "app/lettering/lettering.h"
+#include "app/lettering/outline_fonts.h"
 #include "ui/look/text.h"
+#include "ui/widgets/buttons.h"
 #include "ui/widgets/font_list.h"
 #include "ui/widgets/length_field.h"
 
@@ -41,6 +43,19 @@ TextBox::TextBox(Controller& controller, QWidget* parent)
     auto* options = new QHBoxLayout;
     options->setSpacing(boxMargin);
     options->addWidget(font_, 1);
+    const auto ctrl = [](Qt::Key key) { return Qt::CTRL | key; };
+    faces_ = {{iconButton("bold", Text::tr("Bold")), &app::FontFace::bold, ctrl(Qt::Key_B)},
+              {iconButton("italic", Text::tr("Italic")), &app::FontFace::italic, ctrl(Qt::Key_I)}};
+    for (const auto& [button, part, key] : faces_) {
+        button->setCheckable(true);
+        button->setToolTip(
+            QStringLiteral("%1 (%2)").arg(button->toolTip(), QKeySequence(key).toString()));
+        options->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, part = part](bool on) {
+            change([&](app::TextRecipe& text) { text.face.*part = on; });
+            text_->setFocus();
+        });
+    }
     options->addWidget(size_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(boxMargin, boxMargin, boxMargin, boxMargin);
@@ -98,6 +113,12 @@ void TextBox::show(const TypedText& text)
         text_->moveCursor(QTextCursor::End);
     }
     font_->show(text.recipe.font);
+    for (const auto& [button, part, key] : faces_) {
+        app::FontFace alone;
+        alone.*part = true;
+        button->setVisible(app::faceOf(text.recipe.font, alone).*part);
+        button->setChecked(text.recipe.face.*part);
+    }
     const app::Session& session = controller_.session();
     if (!size_->hasFocus())
         size_->show(text.recipe.size, session.display().unit,
@@ -154,7 +175,8 @@ bool TextBox::eventFilter(QObject* watched, QEvent* event)
     }
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = static_cast<const QKeyEvent&>(*event);
-        if (!key.text().isEmpty() && !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)))
+        if ((!key.text().isEmpty() && !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)))
+            || faceOf(key))
             event->accept();
     }
     if (event->type() == QEvent::KeyPress && key(static_cast<const QKeyEvent&>(*event)))
@@ -162,8 +184,19 @@ bool TextBox::eventFilter(QObject* watched, QEvent* event)
     return QFrame::eventFilter(watched, event);
 }
 
+/// The button that the key presses; null: none.
+QToolButton* TextBox::faceOf(const QKeyEvent& event) const
+{
+    const auto face = std::ranges::find(faces_, event.keyCombination(), &Face::key);
+    return face != faces_.end() && face->button->isVisible() ? face->button : nullptr;
+}
+
 bool TextBox::key(const QKeyEvent& event)
 {
+    if (QToolButton* const button = faceOf(event)) {
+        button->click();
+        return true;
+    }
     const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
     const bool ends =
         event.key() == Qt::Key_Escape || (enter && !(event.modifiers() & Qt::ShiftModifier));

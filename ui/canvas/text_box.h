@@ -6,6 +6,7 @@
 #include <QFrame>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QToolButton>
 
 namespace ui {
 
@@ -33,12 +34,20 @@ private:
     void place(const TypedText& text);
     void change(const std::function<void(app::TextRecipe&)>& edit);
     bool key(const QKeyEvent& event);
+    QToolButton* faceOf(const QKeyEvent& event) const;
 
     Controller& controller_;
     QWidget* surface_ = nullptr;
     FontList* font_;
     LengthField* size_;
     QPlainTextEdit* text_;
+    /// Bold and italic, shown where the font has them.
+    struct Face {
+        QToolButton* button;
+        bool app::FontFace::*part;
+        QKeyCombination key;
+    };
+    std::vector<Face> faces_;
     QLabel* remark_;
     bool following_ = false; ///< shows the tool's text: nothing was typed
 };

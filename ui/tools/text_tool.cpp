@@ -112,6 +112,7 @@ void TextTool::begin(const app::Point& at, const Workbench& bench)
     const QString font =
         app::hasFont(bench.keptFont) ? bench.keptFont : app::strokeFonts().front().name;
     text_ = app::TextRecipe{{}, font, size, at};
+    text_->face = app::faceOf(font, bench.keptFace);
     object_.reset();
     layOut();
 }
@@ -125,6 +126,7 @@ void TextTool::edit(std::size_t object, Workbench& bench)
     before_ = std::get<app::TextRecipe>(
         app::Recipe(bench.session.now().objects()[object].particulars().recipe));
     text_ = before_;
+    bench.keptFace = before_.face;
     object_ = object;
     layOut();
     // They stay as they are until the text changes, even if the font is another one by now.
@@ -211,6 +213,9 @@ void TextTool::typeText(const app::TextRecipe& text, Workbench& bench)
         text_->font = text.font;
     else if (!app::hasFont(text_->font))
         text_->font = app::fontInsteadOf(text_->font);
+    if (text.face != text_->face)
+        bench.keptFace = text.face;
+    text_->face = app::faceOf(text_->font, bench.keptFace);
     text_->text = text.text.left(app::longestText);
     if (text.size > 0)
         text_->size = text.size;

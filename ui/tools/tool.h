@@ -48,7 +48,8 @@ struct Workbench {
     std::optional<std::size_t> nextObject{};
     /// The numbers that tools keep for their next object, by the key of the tool.
     std::map<std::string_view, app::Numbers> kept{};
-    QString keptFont{}; ///< of the last text that was typed; empty: none was
+    QString keptFont{};       ///< of the last text that was typed; empty: none was
+    app::FontFace keptFace{}; ///< that was chosen; a font that lacks it does not change it
     /// The point that was drawn or typed last in this drawing; empty: none was.
     std::optional<app::Point> lastPoint{};
 

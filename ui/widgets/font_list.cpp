@@ -1,18 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/font_list.h"
 
+#include "app/lettering/lettering.h"
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"
+#include "app/view/outline.h"
+#include "ui/look/look.h"
 #include "ui/look/text.h"
 
 #include <QAbstractItemView>
-#include <QKeyEvent>
+#include <QFontDatabase>
+#include <QPainter>
+#include <QPainterPath>
 #include <QStandardItemModel>
+#include <QStyledItemDelegate>
 
 namespace ui {
 namespace {
 
-constexpr int popupWidth = 280, mostVisible = 20, minimumLength = 12;
+constexpr int popupWidth = 280, mostVisible = 16, minimumLength = 12;
+constexpr double capital = 0.5; ///< the height of capitals of strokes, of a row's
+
+/// Writes each name in its own letters, where these are Latin.
+class FontDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        return {QStyledItemDelegate::sizeHint(option, index).width(), space::rowHeight};
+    }
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const QString font = index.data(Qt::UserRole).toString();
+        if (!font.isEmpty() && !app::findStrokeFont(font)
+            && QFontDatabase::writingSystems(font).contains(QFontDatabase::Latin))
+            option->font.setFamilies({font, option->font.family()});
+        option->fontMetrics = QFontMetrics(option->font);
+    }
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override
+    {
+        const QString font = index.data(Qt::UserRole).toString();
+        if (!app::findStrokeFont(font))
+            return QStyledItemDelegate::paint(painter, option, index);
+        QStyleOptionViewItem row(option);
+        initStyleOption(&row, index);
+        const QStyle& style = *row.widget->style();
+        const QRectF room = style.subElementRect(QStyle::SE_ItemViewItemText, &row, row.widget);
+        row.text.clear();
+        style.drawControl(QStyle::CE_ItemViewItem, &row, painter, row.widget);
+        const double height = std::round(capital * QFontMetricsF(row.font).height());
+        const auto letters =
+            app::lettered({font, font, height, {room.left() + 2, room.center().y() + height / 2}});
+        const bool chosen = row.state & QStyle::State_Selected;
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(
+            QPen(row.palette.color(chosen ? QPalette::HighlightedText : QPalette::Text), 1));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawPath(app::painterPath(letters.paths, app::FillRule::NonZero));
+        painter->restore();
+    }
+};
 
 } // namespace
 
@@ -24,6 +77,7 @@ FontList::FontList(QWidget* parent) : ToolList(parent)
     setMaxVisibleItems(mostVisible);
     view()->setMinimumWidth(popupWidth);
     view()->setTextElideMode(Qt::ElideRight);
+    setItemDelegate(new FontDelegate(this));
 }
 
 // Only when it is first shown: asking the system for its fonts takes time.
@@ -39,19 +93,8 @@ void FontList::fill()
         addItem(font, font);
 }
 
-// A letter chooses a font, also where it is the key of a tool on the canvas.
-bool FontList::event(QEvent* event)
-{
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto& key = static_cast<const QKeyEvent&>(*event);
-        const bool isCommand = key.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
-        if (!isCommand && !key.text().isEmpty() && key.text().front().isPrint()) {
-            event->accept();
-            return true;
-        }
-    }
-    return ToolList::event(event);
-}
+// Also a letter in the closed list chooses.
+bool FontList::event(QEvent* event) { return takesLetter(*event) || ToolList::event(event); }
 
 void FontList::addHeading(const QString& text)
 {

@@ -1,11 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/tool_list.h"
 
+#include <QAbstractItemView>
 #include <QKeyEvent>
 
 #include <utility>
 
 namespace ui {
+
+ToolList::ToolList(QWidget* parent) : QComboBox(parent) { view()->installEventFilter(this); }
+
+bool ToolList::takesLetter(QEvent& event)
+{
+    if (event.type() != QEvent::ShortcutOverride)
+        return false;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    const bool isCommand = key.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
+    const bool takes = !isCommand && !key.text().isEmpty() && key.text().front().isPrint();
+    event.setAccepted(takes);
+    return takes;
+}
+
+bool ToolList::eventFilter(QObject* watched, QEvent* event)
+{
+    return takesLetter(*event) || QComboBox::eventFilter(watched, event);
+}
 
 void ToolList::showPopup()
 {

@@ -103,10 +103,13 @@ struct InWords {
     {
         const bool strokes = findStrokeFont(t.font);
         std::vector<double> numbers{t.at.x, t.at.y, t.size};
-        if (t.turn != 0 || t.mirrored)
+        const bool hasFace = t.face != FontFace{};
+        if (t.turn != 0 || t.mirrored || hasFace)
             numbers.push_back(t.turn);
-        if (t.mirrored)
-            numbers.push_back(1);
+        if (t.mirrored || hasFace)
+            numbers.push_back(t.mirrored);
+        if (hasFace)
+            numbers.push_back(t.face.bold + 2 * t.face.italic);
         QString rest = QStringLiteral(" '") + quotedFont(t.font) + QStringLiteral("' ");
         if (!strokes)
             rest += checksum(path.subpaths()) + u' ';
@@ -128,8 +131,9 @@ std::optional<ReadText> readText(std::string_view text, bool hasChecksum)
     if (close == text.npos || close + 2 > text.size() || text.size() > 8 * longestText)
         return std::nullopt;
     const auto v = numbersIn(text.substr(0, open));
-    if (v.size() < 3 || v.size() > 5)
+    if (v.size() < 3 || v.size() > (hasChecksum ? 6 : 5))
         return std::nullopt;
+    const int face = v.size() > 5 && v[5] >= 0 && v[5] <= 3 ? int(v[5]) : 0;
     QString rest = QString::fromUtf8(text.substr(close + 2)), sum;
     if (hasChecksum) {
         sum = rest.section(u' ', 0, 0);
@@ -141,7 +145,8 @@ std::optional<ReadText> readText(std::string_view text, bool hasChecksum)
                      v[2],
                      {v[0], v[1]},
                      v.size() > 3 ? v[3] : 0,
-                     v.size() > 4 && v[4] != 0},
+                     v.size() > 4 && v[4] != 0,
+                     {(face & 1) != 0, (face & 2) != 0}},
                     sum};
 }
 

@@ -13,7 +13,8 @@
 // both radii, the angle of its first corner in radians, and the number of its points (StarRecipe),
 // "text 5 20 7 'Hershey Sans 1-stroke' One\nTwo" the start of the baseline, the height of capitals,
 // the font and the text, with \n for a line break and \\ for a backslash. After the height may
-// stand the direction of the baseline in radians, and 1 for a mirrored text.
+// stand the direction of the baseline in radians, 1 for a mirrored text, and for
+// an installed font 1, 2 or 3 for bold, italic or both.
 // "outlines 5 20 7 'DejaVu Sans' 0123456789abcdef One" is a text in an installed font. The number
 // before the text is a checksum of the path, because the font may be missing where it is read.
 

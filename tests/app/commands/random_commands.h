@@ -140,8 +140,13 @@ private:
     // Of a font that is not installed: replaying needs none.
     app::Recipe text()
     {
-        return app::TextRecipe{random_.text(),       "No such font", 3, {1, 2}, 0.5,
-                               random_.below(2) == 0};
+        return app::TextRecipe{random_.text(),
+                               "No such font",
+                               3,
+                               {1, 2},
+                               0.5,
+                               random_.below(2) == 0,
+                               {random_.below(2) == 0, true}};
     }
     app::UndoCommand* restyle()
     {

@@ -4,12 +4,14 @@
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"
 #include "app/session/units.h"
+#include "app/view/outline.h"
 
 #include <QComboBox>
 #include <QInputMethodEvent>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
+#include <QToolButton>
 
 #include <algorithm>
 #include <numbers>
@@ -300,6 +302,58 @@ private slots:
         Hand::key(Qt::Key_C, Qt::ControlModifier);
         Hand::key(Qt::Key_V, Qt::ControlModifier);
         QVERIFY(hand.count() == 3 && hand.isDrawn(2));
+    }
+    void lettersInTheOpenListAreNoKeysOfTools()
+    {
+        Writer hand;
+        hand.click({20, 50});
+        hand.type("LT");
+        Hand::key(Qt::Key_Tab);
+        Hand::key(Qt::Key_Down, Qt::AltModifier);
+        QWidget* const list = QApplication::activePopupWidget();
+        QVERIFY(list);
+        QTest::keyClick(list->focusWidget(), 'd'); // DejaVu Sans; on the canvas, the tool Pen
+        QVERIFY(hand.canvas.tool() == "text" && list->isVisible());
+        QTest::keyClick(list->focusWidget(), Qt::Key_Return);
+        QTRY_COMPARE(hand.field().window()->focusWidget(), &hand.field());
+        QCOMPARE(hand.fonts().currentText(), "DejaVu Sans");
+        QCOMPARE(hand.field().toPlainText(), "LT");
+    }
+    // The fonts of the tests have bold letters, and no italic ones.
+    void lettersAreBoldWhereTheFontHasThem()
+    {
+        Writer hand;
+        hand.click({20, 50});
+        hand.type("LT");
+        QWidget& box = *hand.field().parentWidget();
+        const auto face = [&box](const char* name) {
+            for (auto* button : box.findChildren<QToolButton*>())
+                if (button->accessibleName() == name)
+                    return button;
+            return static_cast<QToolButton*>(nullptr);
+        };
+        QVERIFY(!face("Bold")->isVisible() && !face("Italic")->isVisible()); // single strokes
+        hand.fonts().setCurrentIndex(hand.fonts().findData("DejaVu Sans"));
+        QVERIFY(face("Bold")->isVisible() && !face("Italic")->isVisible());
+        Hand::key(Qt::Key_I, Qt::ControlModifier);
+        Hand::key(Qt::Key_B, Qt::ControlModifier);
+        QVERIFY(face("Bold")->isChecked() && hand.field().hasFocus());
+        Hand::key(Qt::Key_Return);
+        const app::FontFace bold{.bold = true};
+        QVERIFY(hand.text()->face == bold && hand.isDrawn());
+        const auto letters = hand.paths();
+        hand.session.select({});
+        hand.canvas.setTool("text");
+        hand.click({100, 50}); // kept for the next text
+        hand.type("LT");
+        QVERIFY(face("Bold")->isChecked());
+        QTest::mouseClick(face("Bold"), Qt::LeftButton);
+        Hand::key(Qt::Key_Return);
+        QVERIFY(hand.text(1)->face == app::FontFace{} && hand.isDrawn(1));
+        const auto width = [](const std::vector<app::Subpath>& paths) {
+            return app::painterPath(paths, app::FillRule::NonZero).boundingRect().width();
+        };
+        QVERIFY(width(letters) > 1.05 * width(hand.session.now().objects()[1].path().subpaths()));
     }
     void aMissingFontIsNamedAndReplacedOnceTheTextChanges()
     {

@@ -91,8 +91,12 @@ private slots:
     {
         QFETCH(QString, font);
         QFETCH(QString, words);
-        for (const auto& [turn, mirrored] : {std::pair(0.0, false), {0.7, false}, {0.0, true}}) {
-            const TextRecipe recipe{words, font, 5, {1, 2}, turn, mirrored};
+        for (const auto& [turn, mirrored, face] : {std::tuple(0.0, false, FontFace{}),
+                                                   {0.7, false, {true, false}},
+                                                   {0.0, true, {}},
+                                                   {0.0, false, {false, true}},
+                                                   {0.7, true, {true, true}}}) {
+            const TextRecipe recipe{words, font, 5, {1, 2}, turn, mirrored, face};
             const Document document = drawn(recipe, letters());
             const QByteArray file = written(document);
             const Document back = read(file);
