@@ -139,6 +139,8 @@ struct Reading {
         }
         if (what == QStringLiteral("step") && words.size() == 2 && stepOf(words[1]))
             page.step = words[1];
+        else if (what == QStringLiteral("picture") && words.size() == 2)
+            page.picture = words[1];
         else if (what == QStringLiteral("ask") && words.size() >= 2 && !page.question)
             page.question = QuestionSpec{words[1], words.mid(2)};
         else if (what == QStringLiteral("hint") && words.size() >= 2 && page.question)

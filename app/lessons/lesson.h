@@ -29,7 +29,8 @@ struct LessonPage {
     QString told{}; ///< markdown, shown after the question is settled
     QString hint{}; ///< of the question; replaces the hint of its kind
     TracedLine tracedLine{};
-    QString step{}; ///< "first", "last", a number from 1, or the mark of a step: "cut"
+    QString picture{}; ///< the key of a sample, whose picture stands above the text; may be empty
+    QString step{};    ///< "first", "last", a number from 1, or the mark of a step: "cut"
     std::optional<QuestionSpec> question{};
     LessonParts shows{};
 };

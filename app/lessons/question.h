@@ -4,6 +4,7 @@
 #include "app/lessons/lesson.h"
 
 #include <span>
+#include <variant>
 
 namespace app {
 
@@ -15,8 +16,9 @@ struct Question {
     int right = 0;       ///< index into the choices
     QString reason;      ///< why it is right, shown after the answer
     QString hint;        ///< shown after a wrong first answer: the way to the answer
-    /// The edge of the window that each choice is; empty: the choices are no parts of the figure.
-    std::vector<clipping::Edge> edges{};
+    /// The part of the figure that each choice is: an edge of the window, or a piece of the line.
+    /// Empty: the choices are no parts of the figure.
+    std::vector<std::variant<clipping::Edge, clipping::Segment>> parts{};
 };
 
 /// The steps that would reveal the answer and are hidden while the question is open.

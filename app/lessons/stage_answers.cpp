@@ -63,13 +63,15 @@ std::vector<StageAnswer> stageAnswers(const Course& course, const FigureFrame& f
     const FigureEdges edges(course.asked(), frame);
     const auto line = frame.part(course.asked().line);
     std::vector<StageAnswer> answers;
-    for (const clipping::Edge edge : course.question()->edges) {
-        const auto side = edges.side(edge);
+    for (const auto& part : course.question()->parts) {
+        const auto* edge = std::get_if<clipping::Edge>(&part);
+        const auto side = edge ? edges.side(*edge) : frame.part(std::get<clipping::Segment>(part));
         if (!side)
             return {};
         const int choice = int(answers.size());
-        answers.push_back({choice, *side, discBeside(*side, edges.window().center(), line, frame),
-                           stateOf(choice, course)});
+        const QPointF disc =
+            discBeside(*side, edges.window().center(), edge ? line : std::nullopt, frame);
+        answers.push_back({choice, *side, disc, stateOf(choice, course)});
     }
     return answers;
 }

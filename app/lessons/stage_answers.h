@@ -6,7 +6,8 @@
 
 namespace app {
 
-/// An answer that is a part of the figure: an edge of the window, with a numbered disc beside it.
+/// An answer that is a part of the figure: an edge of the window or a piece of the line, with a
+/// numbered disc beside it.
 struct StageAnswer {
     enum class State : std::uint8_t { Open, Wrong, Right };
 

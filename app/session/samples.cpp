@@ -23,6 +23,13 @@ std::vector<Sample> samples()
     return all;
 }
 
+QImage samplePicture(const QString& file, const QSize& points, double pixelRatio,
+                     const ThumbnailColours& colours)
+{
+    const auto imported = readFile(file);
+    return imported ? thumbnail(imported.value->document, points, pixelRatio, colours) : QImage();
+}
+
 bool isUnchangedSample(const QString& key, const Document& document)
 {
     for (const Sample& sample : samples())

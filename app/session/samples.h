@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/formats/format.h"
+#include "app/view/thumbnail.h"
 
 #include <span>
 
@@ -16,6 +17,10 @@ struct Sample {
 
 /// All samples, in the order of the start panel; empty if the resources are not linked in.
 std::vector<Sample> samples();
+
+/// The picture of a sample with its clip window; null if it cannot be read. May run on any thread.
+QImage samplePicture(const QString& file, const QSize& points, double pixelRatio,
+                     const ThumbnailColours& colours);
 
 /// Whether a drawing is the sample of that key with no changes except to the clip windows: then
 /// there is nothing to save.

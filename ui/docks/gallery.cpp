@@ -2,7 +2,6 @@
 #include "ui/docks/gallery.h"
 
 #include "app/base/background.h"
-#include "app/view/thumbnail.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/buttons.h"
@@ -20,13 +19,6 @@ namespace ui {
 namespace {
 
 constexpr int columns = 2, gap = 10;
-
-QImage pictureOf(const app::Sample& sample, const QSize& points, double ratio,
-                 const app::ThumbnailColours& colours)
-{
-    const auto imported = app::readFile(sample.file);
-    return imported ? app::thumbnail(imported.value->document, points, ratio, colours) : QImage();
-}
 
 constexpr int behindTheCanvas = -1; // priority in the thread pool; the default is 0
 
@@ -93,9 +85,10 @@ void Gallery::paintPictures()
     watcher_.setFuture(sitting->promise.future());
     for (std::size_t i = 0; i < samples_.size(); ++i)
         app::paintingThreads().start(
-            [=, sample = samples_[i], ratio = devicePixelRatioF()] {
+            [=, file = samples_[i].file, ratio = devicePixelRatioF()] {
                 if (!sitting->promise.isCanceled())
-                    sitting->promise.addResult(pictureOf(sample, points, ratio, colours), int(i));
+                    sitting->promise.addResult(app::samplePicture(file, points, ratio, colours),
+                                               int(i));
                 if (--sitting->left == 0)
                     sitting->promise.finish();
             },

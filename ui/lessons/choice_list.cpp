@@ -66,7 +66,7 @@ ChoiceList::ChoiceList(QWidget* parent)
     column_->setContentsMargins(inset, inset, inset, inset);
     column_->setSpacing(space::labelToField - 2);
     wearFont(*prompt_, pageType::question, QFont::DemiBold);
-    onStage_->setText(Text::tr("You can also click the edge in the figure."));
+    onStage_->setText(Text::tr("You can also click it in the figure."));
     onStage_->setForegroundRole(QPalette::PlaceholderText);
     giveUp_->setObjectName(QStringLiteral("show-answer"));
     giveUp_->setFlat(true);
@@ -92,7 +92,7 @@ void ChoiceList::show(const app::Course& course)
     buttons_.clear();
     open_ = course.isOpen();
     giveUp_->setVisible(open_);
-    onStage_->setVisible(open_ && question && !question->edges.empty());
+    onStage_->setVisible(open_ && question && !question->parts.empty());
     prompt_->setText(question
                          ? question->prompt
                          : Text::tr("The question of this page cannot be asked about this line. "

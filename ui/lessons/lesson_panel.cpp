@@ -5,6 +5,7 @@
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_list.h"
 #include "ui/lessons/page_dots.h"
+#include "ui/lessons/page_picture.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/link_button.h"
@@ -56,7 +57,8 @@ QString richText(const QString& markdown)
 LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     : QStackedWidget(parent), course_(course), list_(new LessonList(course)), place_(new QLabel),
       title_(new QLabel), text_(new QLabel), told_(new QLabel), ending_(new QLabel),
-      count_(new QLabel), body_(new QScrollArea), choices_(new ChoiceList), dots_(new PageDots),
+      count_(new QLabel), body_(new QScrollArea), picture_(new PagePicture),
+      choices_(new ChoiceList), dots_(new PageDots),
       back_(button(Text::tr("Back"), Text::tr("Previous page (Page Up)"))),
       again_(button(Text::tr("Show example"),
                     Text::tr("Show this page's example in the microscope again"))),
@@ -150,6 +152,7 @@ QWidget* LessonPanel::makeBody()
     auto* column = new QVBoxLayout(inner);
     column->setContentsMargins(0, 0, scrollGap, 0); // distance from the scroll bar
     column->setSpacing(space::betweenGroups);
+    column->addWidget(picture_);
     column->addWidget(text_);
     column->addWidget(again_, 0, Qt::AlignLeft);
     column->addWidget(choices_);
@@ -229,6 +232,7 @@ void LessonPanel::showPage()
     if (course_.answer().wrong == 0
         && course_.answer().tries.empty()) // a new page, not another try
         body_->verticalScrollBar()->setValue(0);
+    picture_->show(course_.lesson()->pages[course_.page()].picture);
     text_->setText(richText(course_.text()));
     choices_->show(course_);
     told_->setText(richText(course_.told()));

@@ -13,6 +13,7 @@ namespace ui {
 class ChoiceList;
 class LessonList;
 class PageDots;
+class PagePicture;
 
 /// The lessons beside the microscope: their list, or the current page with its question. The
 /// microscope shows the page's example. Page Up and Page Down turn the pages; Up, Down and Enter
@@ -53,6 +54,7 @@ private:
     QWidget* reader_;
     QLabel *place_, *title_, *text_, *told_, *ending_, *count_;
     QScrollArea* body_;
+    PagePicture* picture_;
     ChoiceList* choices_;
     PageDots* dots_;
     QPushButton *back_, *again_, *skip_, *next_, *repeat_;

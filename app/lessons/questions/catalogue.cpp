@@ -6,6 +6,7 @@
 namespace app {
 
 // Each is defined in the file of its kind.
+extern const QuestionKind partQuestion;
 extern const QuestionKind visibleQuestion;
 extern const QuestionKind regionQuestion;
 extern const QuestionKind nextQuestion;
@@ -18,6 +19,7 @@ std::span<const QuestionKind> questionKinds()
 {
     // clang-format off
     static const std::array all{
+        partQuestion,
         visibleQuestion,
         regionQuestion,
         nextQuestion,

@@ -505,6 +505,7 @@ private slots:
         QCOMPARE(rightOf(asked(crossing, {"region", "1"})), "0001");
         QCOMPARE(rightOf(asked(crossing, {"region", "2"})), "1000");
         QCOMPARE(rightOf(asked(crossing, {"visible"})), "A part: both ends are cut");
+        QCOMPARE(rightOf(asked(crossing, {"part"})), "From the left edge to the top edge");
         QCOMPARE(rightOf(asked("cs line 0,0 0,90 window -100,-75 100,75", {"visible"})),
                  "A part: one end is cut");
         QCOMPARE(rightOf(asked("cs line 0,0 0,9 window -100,-75 100,75", {"visible"})),
@@ -526,6 +527,7 @@ private slots:
                  "No, it shows too much");
         QVERIFY(!asked(crossing, {"region", "3"}));
         QVERIFY(!asked(crossing, {"nonsense"}));
+        QVERIFY(!asked(passing, {"part"}));
     }
     /// What a page's texts name or use stands beside its figure.
     void pagesShowWhatTheyName()

@@ -33,10 +33,12 @@ app::FigureFrame frameOf(const app::Microscope& microscope, const QSizeF& size =
     return app::figureFrame(microscope.tracedLine(), size, font);
 }
 
-bool asksForAnEdge(const app::Course& course)
+bool asks(const app::Course& course, const char* kind)
 {
-    return course.isOpen() && course.lesson()->pages[course.page()].question->kind == u"edge";
+    return course.isOpen()
+           && course.lesson()->pages[course.page()].question->kind == QLatin1String(kind);
 }
+bool asksForAnEdge(const app::Course& course) { return asks(course, "edge"); }
 
 } // namespace
 
@@ -44,17 +46,35 @@ class StageAnswersTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void onlyEdgesAreAnswersOnTheStage()
+    void onlyEdgesAndPartsAreAnswersOnTheStage()
     {
         app::Microscope microscope;
         app::Course course(microscope);
         int asked = 0;
         atEveryPage(course, [&] {
             const auto answers = app::stageAnswers(course, frameOf(microscope));
-            QCOMPARE(answers.size(), std::size_t(asksForAnEdge(course) ? 4 : 0));
+            QCOMPARE(answers.size(), std::size_t(asksForAnEdge(course)  ? 4
+                                                 : asks(course, "part") ? 3
+                                                                        : 0));
             asked += !answers.empty();
         });
-        QVERIFY(asked >= 4);
+        QVERIFY(asked >= 5);
+    }
+    void theRightPartIsInTheWindow()
+    {
+        app::Microscope microscope;
+        app::Course course(microscope);
+        course.begin(0);
+        QVERIFY(asks(course, "part"));
+        const app::FigureFrame frame = frameOf(microscope);
+        const auto answers = app::stageAnswers(course, frame);
+        const auto& window = microscope.tracedLine().window;
+        for (const auto& answer : answers) {
+            const app::Point middle = frame.pointAt(answer.part.center());
+            const bool inside = middle.x > window.min.x && middle.x < window.max.x
+                                && middle.y > window.min.y && middle.y < window.max.y;
+            QCOMPARE(inside, answer.choice == course.question()->right);
+        }
     }
     void everyAnswerIsFoundAtItsPartAndItsDisc()
     {

@@ -119,7 +119,7 @@ private slots:
     void enterGoesOnAfterAClickInTheFigure()
     {
         const Classroom room;
-        while (!room.course().isOpen() || room.course().question()->edges.empty())
+        while (!room.course().isOpen() || room.course().question()->parts.empty())
             room.course().isOpen() ? room.course().skip() : room.course().next();
         QCoreApplication::processEvents();
         const std::size_t page = room.course().page();
