@@ -6,6 +6,8 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QFontDatabase>
+#include <QHelpEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QScrollBar>
 #include <QTextBlock>
@@ -25,6 +27,17 @@ QFont codeFont(const QFont& body)
     else
         font.setPointSizeF(caption.pointSizeF());
     return font;
+}
+
+void paintChevron(QPainter& painter, const QPointF& at, bool open)
+{
+    constexpr double half = 3, flat = 1.5;
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPolygonF folded{at + QPointF(-flat, -half), at + QPointF(flat, 0),
+                           at + QPointF(-flat, half)};
+    const QPolygonF unfolded{at + QPointF(-half, -flat), at + QPointF(0, flat),
+                             at + QPointF(half, -flat)};
+    painter.drawPolyline(open ? unfolded : folded);
 }
 
 } // namespace
@@ -52,23 +65,114 @@ CodeView::CodeView(QWidget* parent) : QTextEdit(parent), numbers_(new Numbers(*t
     document()->setDocumentMargin(6);
     setFocusPolicy(Qt::TabFocus);
     viewport()->setAutoFillBackground(false);
+    viewport()->setMouseTracking(true);
     connect(verticalScrollBar(), &QScrollBar::valueChanged, numbers_,
             qOverload<>(&QWidget::update));
     connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, &CodeView::keepInSight);
 }
 
-void CodeView::show(const QStringList& code)
+void CodeView::show(const QStringList& code, const std::set<int>& run)
 {
-    if (code == code_)
+    if (code == code_ && run == run_)
         return;
+    if (code != code_)
+        unfolded_.clear();
     code_ = code;
-    setPlainText(code.join(u'\n'));
+    run_ = run;
+    fold();
+}
+
+void CodeView::fold()
+{
+    auto rows = app::codeRows(code_, run_, unfolded_);
+    if (rows == rows_)
+        return;
+    rows_ = std::move(rows);
+    showRows();
+}
+
+void CodeView::showRows()
+{
+    clear();
+    QTextCursor cursor(document());
+    for (const app::CodeRow& row : rows_) {
+        QTextCharFormat format;
+        if (row.isFolded())
+            format.setForeground(lookOf(palette()).muted);
+        if (&row != &rows_.front())
+            cursor.insertBlock();
+        cursor.insertText(row.text, format);
+    }
     QTextBlockFormat apart;
     apart.setLineHeight(lineDistance, QTextBlockFormat::LineDistanceHeight);
     QTextCursor all(document());
     all.select(QTextCursor::Document);
     all.mergeBlockFormat(apart);
     placeNumbers();
+    keepInSight();
+}
+
+void CodeView::toggle(int row)
+{
+    const int line = rows_[std::size_t(row)].first;
+    if (unfolded_.erase(line) == 0)
+        unfolded_.insert(line);
+    fold();
+}
+
+/// Unfolds all branches, or folds them again if none is folded.
+void CodeView::toggleAll()
+{
+    const bool unfolds = std::ranges::any_of(rows_, &app::CodeRow::isFolded);
+    unfolded_.clear();
+    for (const app::CodeRow& row : app::codeRows(code_, run_))
+        if (unfolds && row.isFolded())
+            unfolded_.insert(row.first);
+    fold();
+}
+
+int CodeView::rowAt(const QPoint& place) const
+{
+    for (int row = 0; row < int(rows_.size()); ++row)
+        if (rows_[std::size_t(row)].folds && boxOf(row).contains(QPointF(1, place.y())))
+            return row;
+    return -1;
+}
+
+bool CodeView::viewportEvent(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const int row = rowAt(static_cast<QHelpEvent*>(event)->pos());
+        const bool folded = row >= 0 && rows_[std::size_t(row)].isFolded();
+        viewport()->setToolTip(row < 0  ? QString()
+                               : folded ? Text::tr("This branch was not taken. A click shows it, "
+                                                   "Enter all of them.")
+                                        : Text::tr("A click folds this branch, which was not "
+                                                   "taken."));
+    }
+    return QTextEdit::viewportEvent(event);
+}
+
+void CodeView::mouseMoveEvent(QMouseEvent* event)
+{
+    QTextEdit::mouseMoveEvent(event);
+    viewport()->setCursor(rowAt(event->pos()) >= 0 ? Qt::PointingHandCursor : Qt::IBeamCursor);
+}
+
+void CodeView::mouseReleaseEvent(QMouseEvent* event)
+{
+    QTextEdit::mouseReleaseEvent(event);
+    const int row = rowAt(event->pos());
+    if (event->button() == Qt::LeftButton && row >= 0 && !textCursor().hasSelection())
+        toggle(row);
+}
+
+void CodeView::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+        toggleAll();
+    else
+        QTextEdit::keyPressEvent(event);
 }
 
 void CodeView::light(int line)
@@ -92,9 +196,14 @@ void CodeView::keepInSight()
 
 QRectF CodeView::rowOf(int line) const
 {
-    const QTextBlock block = document()->findBlockByNumber(line - 1);
-    if (line < 1 || !block.isValid())
-        return {};
+    const auto row = std::ranges::find_if(
+        rows_, [&](const app::CodeRow& r) { return r.first <= line && line <= r.last; });
+    return row == rows_.end() ? QRectF() : boxOf(int(row - rows_.begin()));
+}
+
+QRectF CodeView::boxOf(int row) const
+{
+    const QTextBlock block = document()->findBlockByNumber(row);
     const QRectF text = document()->documentLayout()->blockBoundingRect(block);
     return {0, text.top() - verticalScrollBar()->value() - lineDistance / 2.0,
             double(viewport()->width()), text.height() + lineDistance};
@@ -102,8 +211,9 @@ QRectF CodeView::rowOf(int line) const
 
 int CodeView::numbersWidth() const
 {
+    // As wide as with any branch folded, so that the code does not move.
     const QString widest(std::max<qsizetype>(2, QString::number(code_.size()).size()), u'8');
-    return bar + besideBar + fontMetrics().horizontalAdvance(widest) + 4;
+    return bar + besideBar + fontMetrics().horizontalAdvance(widest + u'–' + widest) + 4;
 }
 
 void CodeView::placeNumbers()
@@ -118,18 +228,23 @@ void CodeView::paintNumbers()
     const Look& look = lookOf(palette());
     QPainter painter(numbers_);
     painter.setFont(font());
-    for (int line = 1; line <= code_.size(); ++line) {
-        const QRectF row = rowOf(line);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const QRectF row = boxOf(int(i));
         if (row.bottom() < 0 || row.top() > viewport()->height())
             continue;
-        const bool isCurrent = line == currentLine_;
+        const auto& [first, last, text, folds] = rows_[i];
+        const bool isCurrent = first <= currentLine_ && currentLine_ <= last;
         if (isCurrent) {
             painter.fillRect(QRectF(0, row.top(), numbers_->width(), row.height()), look.tint);
             painter.fillRect(QRectF(0, row.top(), bar, row.height()), look.selection);
         }
         painter.setPen(isCurrent ? look.text : look.muted);
         painter.drawText(QRectF(0, row.top(), numbers_->width() - 4, row.height()),
-                         Qt::AlignRight | Qt::AlignVCenter, QString::number(line));
+                         Qt::AlignRight | Qt::AlignVCenter,
+                         last > first ? QStringLiteral("%1–%2").arg(first).arg(last)
+                                      : QString::number(first));
+        if (folds)
+            paintChevron(painter, {bar + besideBar / 2.0, row.center().y()}, last == first);
     }
 }
 
@@ -169,6 +284,8 @@ void CodeView::showEvent(QShowEvent* event)
 void CodeView::changeEvent(QEvent* event)
 {
     QTextEdit::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && numbers_)
+        showRows(); // in the colours of another theme
     if (event->type() == QEvent::FontChange && numbers_)
         placeNumbers();
 }

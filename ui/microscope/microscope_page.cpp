@@ -222,7 +222,9 @@ void MicroscopePage::showStep()
     const app::Microscope& microscope = session_.microscope;
     const app::Narration& narration = microscope.narration();
     const app::NarratedStep* narrated = microscope.narrated();
-    code_->show(narration.code);
+    // A folded branch would say the answer of an open question.
+    code_->show(narration.code,
+                microscope.isCovered() ? std::set<int>{} : app::linesRun(narration));
     code_->light(narrated ? narrated->line : 0);
     variables_->show(microscope.tracedLine(), narration,
                      narrated ? microscope.step() : narration.steps.size());

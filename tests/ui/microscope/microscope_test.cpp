@@ -14,6 +14,7 @@
 #include <QAccessible>
 #include <QApplication>
 #include <QDockWidget>
+#include <QTextBlock>
 #include <QToolButton>
 
 #include <utility>
@@ -133,6 +134,32 @@ private slots:
     {
         TestWindow t;
         QVERIFY(!t.window->microscopePage());
+    }
+    void aClickShowsABranchThatWasNotTaken()
+    {
+        Stage s;
+        CodeView& code = s.page().code();
+        const auto folded = [&code] {
+            return std::ranges::count_if(code.rows(), &app::CodeRow::isFolded);
+        };
+        const auto before = folded();
+        QVERIFY(before > 0);
+        QCOMPARE(code.document()->blockCount(), int(code.rows().size()));
+        const auto first = std::ranges::find_if(code.rows(), &app::CodeRow::isFolded);
+        const int row = int(first - code.rows().begin()), line = first->first;
+        QTextCursor cursor(code.document()->findBlockByNumber(row));
+        const QPoint place = code.cursorRect(cursor).center();
+        QTest::mouseClick(code.viewport(), Qt::LeftButton, {}, place);
+        QCOMPARE(folded(), before - 1);
+        QCOMPARE(code.rows()[std::size_t(row)].first, line);
+        QTest::mouseClick(code.viewport(), Qt::LeftButton, {}, place);
+        QCOMPARE(folded(), before);
+        code.setFocus();
+        s.key(Qt::Key_Return);
+        QCOMPARE(folded(), 0);
+        QCOMPARE(code.toPlainText(), s.microscope().narration().code.join(u'\n'));
+        s.key(Qt::Key_Return);
+        QCOMPARE(folded(), before);
     }
     void keysReachTheSameStepsInBothDirections()
     {
