@@ -16,7 +16,7 @@ namespace ui {
 
 namespace {
 
-constexpr int bar = 3, besideBar = 12, lineDistance = 4; // pixels
+constexpr int bar = 3, besideBar = 18, lineDistance = 4; // pixels
 
 QFont codeFont(const QFont& body)
 {
@@ -244,7 +244,7 @@ void CodeView::paintNumbers()
                          last > first ? QStringLiteral("%1–%2").arg(first).arg(last)
                                       : QString::number(first));
         if (folds)
-            paintChevron(painter, {bar + besideBar / 2.0, row.center().y()}, last == first);
+            paintChevron(painter, {bar + besideBar / 2.0 - 2, row.center().y()}, last == first);
     }
 }
 
