@@ -66,7 +66,7 @@ void Controller::inspectOnly()
     const bool isNew =
         std::exchange(inspectedSelection_, session_.selection()) != session_.selection();
     const auto inspected = session_.inspected(), line = app::lineOfOnlyObject(session_);
-    if (!line || !tool_->movesEnds())
+    if (!line || !toolInfo_->arranges())
         return;
     const app::SceneLines& lines = session_.scene.lines();
     const bool other = inspected && lines.objectOf(*inspected) != session_.selection().first();

@@ -8,7 +8,7 @@
 #include "ui/canvas/navigation.h"
 #include "ui/canvas/text_boxes.h"
 #include "ui/tools/guide_drag.h"
-#include "ui/tools/tool.h"
+#include "ui/tools/tool_parts.h"
 
 #include <QTimer>
 
@@ -203,7 +203,8 @@ private:
     /// Whether the canvas has a use for the key before the shortcut of a command.
     bool takesKey(const QKeyEvent& event) const
     {
-        return tool_->wants(event, bench_) || beginsTyping(event) || keepsFromShortcuts(event);
+        return tool_->as<TakesKeys>().wants(event, bench_) || beginsTyping(event)
+               || keepsFromShortcuts(event);
     }
     bool keepsFromShortcuts(const QKeyEvent& event) const;
     void beginTyping(const QKeyEvent& event);

@@ -58,7 +58,7 @@ bool Controller::keyPress(QKeyEvent& event)
     if (keepsFromShortcuts(event))
         return true;
     bool used = false;
-    withTool([&] { used = tool_->key(event, bench_); });
+    withTool([&] { used = tool_->as<TakesKeys>().key(event, bench_); });
     if (used)
         steer(); // the key may have changed what is measured
     return used || (event.key() == Qt::Key_Escape && escape()) || arrow(event)
@@ -121,7 +121,7 @@ bool Controller::arrow(const QKeyEvent& event)
 
 bool Controller::actsOnWindow() const
 {
-    return tool_->showsHandles()
+    return toolInfo_->showsHandles()
            && (toolInfo_->key == "window" ? session_.windowChosen() : session_.windowChosenLast());
 }
 

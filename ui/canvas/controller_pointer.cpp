@@ -20,10 +20,10 @@ namespace ui {
 std::optional<app::Snap> Controller::snapAt(const app::Point& raw,
                                             Qt::KeyboardModifiers modifiers) const
 {
-    const app::SnapTo to = tool_->snapsTo() & snapNow_;
-    if (to == app::SnapTo::Nothing || modifiers & Qt::ControlModifier)
+    app::SnapQuery query{raw, bench_.inDrawing(snapReach), snapNow_};
+    tool_->as<Snaps>().limit(query);
+    if (query.to == app::SnapTo::Nothing || modifiers & Qt::ControlModifier)
         return std::nullopt;
-    app::SnapQuery query{raw, bench_.inDrawing(snapReach), to};
     const auto* measure = readout_ ? readout_->gauge().measure : nullptr;
     if (measure == &app::lengthAndAngle() || measure == &app::lengthAndAngle(app::Anchor::Centre))
         query.from = readout_->gauge().start.from;
@@ -31,7 +31,6 @@ std::optional<app::Snap> Controller::snapAt(const app::Point& raw,
     query.guides = bench_.guides();
     if (tool_->busy())
         query.seen = view().visible();
-    tool_->leaveOutMoved(query);
     return snapper_.at(query);
 }
 
@@ -54,7 +53,7 @@ bool Controller::selectAt(const QPointF& screen)
 {
     endGesture();
     const Pointer pointer = pointerAt(screen, Qt::NoButton, Qt::NoModifier);
-    if (tool_->selectForMenu(pointer, bench_))
+    if (tool_->as<SelectsForMenu>().selectForMenu(pointer, bench_))
         return true;
     const auto [segment, object] = pickedAt(pointer.raw, bench_);
     if (!object)
@@ -91,7 +90,7 @@ bool Controller::chooseWindowAt(const QPointF& screen)
     const auto object = pickedAt(there, bench_).object;
     if (object && session_.selection().contains(*object))
         return false;
-    if (tool_->showsHandles() && windowHandleAt(at, bench_))
+    if (toolInfo_->showsHandles() && windowHandleAt(at, bench_))
         return true; // of the one that tools act on
     auto number = nameAt(screen);
     if (!number && !object)
@@ -103,7 +102,7 @@ bool Controller::chooseWindowAt(const QPointF& screen)
 
 QRectF Controller::offeredHandle() const
 {
-    if (clipWindow() || !tool_->showsHandles())
+    if (clipWindow() || !toolInfo_->showsHandles())
         return {};
     return offerPlace(session_.now().page().rectangle(), view());
 }

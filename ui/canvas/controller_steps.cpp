@@ -8,19 +8,23 @@
 
 namespace ui {
 
-bool Controller::canUndo() const { return tool_->canTakeBack() || session_.history.canUndo(); }
+bool Controller::canUndo() const
+{
+    return tool_->as<HasSteps>().canTakeBack() || session_.history.canUndo();
+}
 
 // While a polyline is being drawn, redoing a later step of the history would put it before the
 // corners.
 bool Controller::canRedo() const
 {
-    return tool_->canPutBack(bench_) || (!tool_->canTakeBack() && session_.history.canRedo());
+    return tool_->as<HasSteps>().canPutBack(bench_)
+           || (!tool_->as<HasSteps>().canTakeBack() && session_.history.canRedo());
 }
 
 void Controller::undo()
 {
-    if (tool_->canTakeBack())
-        withTool([&] { tool_->takeBack(bench_); });
+    if (tool_->as<HasSteps>().canTakeBack())
+        withTool([&] { tool_->as<HasSteps>().takeBack(bench_); });
     else if (tool_->busy())
         cancelGesture();
     else
@@ -37,8 +41,8 @@ void Controller::cancelGesture()
 
 void Controller::redo()
 {
-    if (tool_->canPutBack(bench_))
-        withTool([&] { tool_->putBack(bench_); });
+    if (tool_->as<HasSteps>().canPutBack(bench_))
+        withTool([&] { tool_->as<HasSteps>().putBack(bench_); });
     else if (!tool_->busy())
         session_.history.redo();
 }
@@ -46,7 +50,7 @@ void Controller::redo()
 void Controller::goToStep(int index)
 {
     // What is being drawn becomes a step, which would take the place of those that are undone.
-    if (tool_->canTakeBack() && index > session_.history.index()) {
+    if (tool_->as<HasSteps>().canTakeBack() && index > session_.history.index()) {
         emit session_.refused(Text::tr("Finish the object that you are drawing first (Enter)."));
         return;
     }
@@ -56,17 +60,20 @@ void Controller::goToStep(int index)
 
 QString Controller::undoText() const
 {
-    return tool_->canTakeBack() ? tool_->stepText() : session_.history.undoText();
+    return tool_->as<HasSteps>().canTakeBack() ? tool_->as<HasSteps>().stepText()
+                                               : session_.history.undoText();
 }
 
 QString Controller::redoText() const
 {
-    return tool_->canPutBack(bench_) ? tool_->stepText() : session_.history.redoText();
+    return tool_->as<HasSteps>().canPutBack(bench_) ? tool_->as<HasSteps>().stepText()
+                                                    : session_.history.redoText();
 }
 
 Controller::Steps Controller::steps() const
 {
-    return {canUndo(), canRedo(), tool_->canTakeBack(), tool_->pendingPoints()};
+    return {canUndo(), canRedo(), tool_->as<HasSteps>().canTakeBack(),
+            tool_->as<HasUnfinished>().unfinishedPoints()};
 }
 
 // Receivers copy the whole object being drawn, which would be slow for each point of a long

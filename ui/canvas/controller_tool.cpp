@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/object_in_hand.h"
 #include "app/session/units.h"
 #include "ui/canvas/controller.h"
 #include "ui/look/text.h"
-#include "ui/tools/shape_drawing.h"
 
 #include <utility>
 
@@ -18,11 +16,11 @@ void Controller::setTool(std::string_view key)
         return;
     if (tool_) {
         tool_->end(bench_);
-        tool_->putAway(bench_);
+        tool_->as<TakenUp>().putAway(bench_);
     }
     tool_ = info->make();
     toolInfo_ = info;
-    tool_->takeUp(bench_);
+    tool_->as<TakenUp>().takeUp(bench_);
     snap_.reset();
     typing_ = false;
     readout_.reset(); // the numbers were for the other tool
@@ -35,7 +33,7 @@ void Controller::setTool(std::string_view key)
 }
 
 // New objects must not be added to a locked or hidden layer.
-bool Controller::mayDraw() const { return !tool_->draws() || app::mayAddObjects(session_); }
+bool Controller::mayDraw() const { return !toolInfo_->draws() || app::mayAddObjects(session_); }
 
 QString Controller::hint() const
 {
@@ -90,13 +88,7 @@ void Controller::endGesture()
 
 std::optional<app::ObjectInHand> Controller::pendingObject() const
 {
-    const app::ContainerId into = app::containerForNew(session_);
-    if (auto object = tool_->pendingObject(bench_))
-        return app::ObjectInHand({std::move(*object), into}, tool_->replacedObject(bench_));
-    const auto path = tool_->pendingPath();
-    if (!path)
-        return std::nullopt;
-    return app::ObjectInHand({objectOf(session_, std::span(&*path, 1)), into});
+    return tool_->as<HasUnfinished>().unfinished(bench_);
 }
 
 } // namespace ui

@@ -25,7 +25,8 @@ QString firstTyped(const QKeyEvent& event, bool points)
 /// Of the gesture, of the finished step, or of the first point of the next gesture.
 bool Controller::takesNumbers() const
 {
-    return readout_ && mayDraw() && tool_->gauge(bench_); // the last step may be undone by now
+    return readout_ && mayDraw()
+           && tool_->as<TypesNumbers>().gauge(bench_); // the last step may be undone by now
 }
 
 app::DigitPlace Controller::digitPlace() const
@@ -33,7 +34,7 @@ app::DigitPlace Controller::digitPlace() const
     return {.gesture = gestureGoes(),
             .numbers = takesNumbers(),
             .draws = session_.worksInDraw,
-            .windowChosen = tool_->showsHandles() && session_.windowChosen()};
+            .windowChosen = toolInfo_->showsHandles() && session_.windowChosen()};
 }
 
 bool Controller::digitsChoose() const
@@ -71,9 +72,9 @@ bool Controller::keepsFromShortcuts(const QKeyEvent& event) const
 /// Numbers that follow a finished step change it, until the next action.
 void Controller::beginTyping(const QKeyEvent& event)
 {
-    const bool firstPoint = tool_->draws() && (event.text() == "#" || event.text() == "@");
+    const bool firstPoint = toolInfo_->draws() && (event.text() == "#" || event.text() == "@");
     if (!tool_->busy() && !firstPoint)
-        withTool([&] { tool_->reopen(bench_); });
+        withTool([&] { tool_->as<TypesNumbers>().reopen(bench_); });
     typing_ = true;
     if (event.key() == Qt::Key_Tab)
         readout_->activate(readout_->gauge().measure->fields.size() > 1 ? 1 : 0);
@@ -86,7 +87,8 @@ void Controller::typeNumber(const QString& text)
     if (!readout_)
         return;
     readout_->type(text);
-    if (tool_->corrects() && tool_->pointBegins() && readout_->typesPoint())
+    if (tool_->as<TypesNumbers>().corrects() && tool_->as<TypesNumbers>().pointBegins()
+        && readout_->typesPoint())
         typeFirstPoint(text);
     steer();
 }
@@ -120,18 +122,19 @@ void Controller::acceptNumber()
 {
     if (!readout_)
         return;
-    if (tool_->busy() && !tool_->corrects() && readout_->typesDirection())
+    if (tool_->busy() && !tool_->as<TypesNumbers>().corrects() && readout_->typesDirection())
         return lockNumber(); // the length is still missing
     if (!readout_->accept(aim())) {
         emit readoutChanged();
         return;
     }
     const app::GestureEnd end = readout_->result(aim());
-    if (tool_->draws() && readout_->gauge().measure->points != app::GestureMeasure::Points::Refused)
+    if (toolInfo_->draws()
+        && readout_->gauge().measure->points != app::GestureMeasure::Points::Refused)
         bench_.lastPoint = end.point;
     typing_ = false;
     readout_.reset();
-    withTool([&] { tool_->accept(end, bench_); });
+    withTool([&] { tool_->as<TypesNumbers>().accept(end, bench_); });
     steer();
 }
 
@@ -149,24 +152,24 @@ void Controller::transform(const app::Transformation& kind)
     const app::Point middle = view().toDrawing(view().size * 0.5);
     const Pointer pointer =
         pointer_.value_or(Pointer{middle, middle, view().toScreen(middle), {}, {}, middle});
-    withTool([&] { tool_->transform(kind, pointer, bench_); });
+    withTool([&] { tool_->as<Transforms>().transform(kind, pointer, bench_); });
     steer();
 }
 
 void Controller::typeText(const app::TextRecipe& text)
 {
-    withTool([&] { tool_->typeText(text, bench_); });
+    withTool([&] { tool_->as<TypesText>().typeText(text, bench_); });
 }
 
 void Controller::finishText()
 {
-    withTool([&] { tool_->finishText(bench_); });
+    withTool([&] { tool_->as<TypesText>().finishText(bench_); });
 }
 
 void Controller::stopTyping()
 {
     typing_ = false;
-    if (tool_->corrects()) // a correction ends with its field
+    if (tool_->as<TypesNumbers>().corrects()) // a correction ends with its field
         withTool([&] { tool_->cancel(bench_); });
     if (readout_ && !tool_->busy())
         readout_->releaseTyped(); // nothing is shown that it could hold
@@ -219,7 +222,7 @@ void Controller::steer()
 /// What was typed ends with the gesture, or the step of it, for which it was typed.
 void Controller::followGauge()
 {
-    const auto gauge = tool_->gauge(bench_);
+    const auto gauge = tool_->as<TypesNumbers>().gauge(bench_);
     if (gauge && readout_ && readout_->follow(*gauge))
         return;
     if (!gauge && !readout_)

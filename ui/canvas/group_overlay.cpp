@@ -71,7 +71,7 @@ void paintHoveredGroup(QPainter& painter, const Controller& controller, std::siz
     const app::Session& session = controller.session();
     const app::ContainerId group = app::groupAt(session, session.scene.lines().objectOf(segment));
     const auto bounds = group == 0 ? std::nullopt : boundsOf(session, group);
-    if (!bounds || !controller.tool().movesEnds()) // other tools choose single objects
+    if (!bounds || !controller.toolInfo().arranges()) // other tools choose single objects
         return;
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(controller.paperLook().selection, 1));

@@ -46,7 +46,7 @@ void drawLine(QPainter& painter, const Controller& controller, const Segment& se
 
 void paintHovered(QPainter& painter, const Controller& controller)
 {
-    const auto hovered = controller.tool().hoveredSegment();
+    const auto hovered = controller.tool().as<Hovers>().hoveredSegment();
     const app::SceneLines& lines = controller.session().scene.lines();
     if (!hovered || *hovered >= lines.size())
         return;
@@ -137,7 +137,7 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
 
 void paintEnds(QPainter& painter, const Controller& controller)
 {
-    if (lineWithHandles(controller.session()) && controller.tool().movesEnds())
+    if (lineWithHandles(controller.session()) && controller.toolInfo().arranges())
         for (const app::Point& end : EndDrag::handles(controller.bench()))
             paintHandle(painter, controller, end);
 }
@@ -215,7 +215,7 @@ std::optional<clipping::Segment> lineLookedAt(const Controller& controller)
     if (const auto& drawn = controller.session().preview().line)
         return drawn;
     const app::SceneLines& lines = controller.session().scene.lines();
-    for (const auto& index : {controller.session().inspected(), controller.tool().hoveredSegment()})
+    for (const auto& index : {controller.session().inspected(), controller.tool().as<Hovers>().hoveredSegment()})
         if (index && *index < lines.size())
             return lines[*index];
     return std::nullopt;

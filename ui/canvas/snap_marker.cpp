@@ -103,7 +103,7 @@ void paintAlignment(QPainter& painter, const Controller& controller, const app::
 
 void paintSnapMarker(QPainter& painter, const Controller& controller)
 {
-    const app::MovedSnap* moved = controller.tool().snapped();
+    const app::MovedSnap* moved = controller.tool().as<Snaps>().snapped();
     const auto& place = moved ? moved->place : controller.snapped();
     if (!moved && (!place || !controller.pointer()))
         return;

@@ -94,7 +94,7 @@ void TextBox::follow()
     if (following_ || !surface_)
         return;
     const QScopedValueRollback guard(following_, true);
-    const auto text = controller_.tool().typedText();
+    const auto text = controller_.tool().as<TypesText>().typedText();
     if (text)
         return show(*text);
     if (isHidden())
@@ -158,7 +158,7 @@ void TextBox::place(const TypedText& text)
 
 void TextBox::change(const std::function<void(app::TextRecipe&)>& edit)
 {
-    const auto typed = controller_.tool().typedText();
+    const auto typed = controller_.tool().as<TypesText>().typedText();
     if (following_ || !typed)
         return;
     app::TextRecipe text = typed->recipe;

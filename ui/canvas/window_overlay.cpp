@@ -144,7 +144,7 @@ QPainterPath outlineInFrame(const Controller& controller, std::size_t window, st
 void paintBorder(QPainter& painter, const Controller& controller, const QPainterPath& border)
 {
     const double width =
-        outlineWidth(controller, controller.tool().hoveredHandle() == app::Handle{});
+        outlineWidth(controller, controller.tool().as<Hovers>().hoveredHandle() == app::Handle{});
     QPen pen(controller.pageColour(), width + 2 * casing, Qt::SolidLine, Qt::FlatCap,
              Qt::MiterJoin);
     painter.setBrush(Qt::NoBrush);
@@ -222,7 +222,7 @@ void paintPivot(QPainter& painter, const Controller& controller, const app::Wind
             controller.view().toScreen(app::outOfFrame(frame, app::placeOf(handle, frame.box)));
         return QPointF(at.x, at.y);
     };
-    if (controller.tool().hoveredHandle() == app::rotationHandle) {
+    if (controller.tool().as<Hovers>().hoveredHandle() == app::rotationHandle) {
         constexpr double arm = 4;
         const QPointF centre = onScreen({});
         painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0));
@@ -248,7 +248,7 @@ void paintHandles(QPainter& painter, const Controller& controller)
     paintPivot(painter, controller, frame);
     painter.setPen(QPen(colour, usualOutline));
     for (const auto& [handle, at] : placed) {
-        const bool hovered = controller.tool().hoveredHandle() == handle;
+        const bool hovered = controller.tool().as<Hovers>().hoveredHandle() == handle;
         painter.setBrush(hovered ? colour : controller.pageColour());
         const QRectF place(at.x - handleSize / 2 + 0.5, at.y - handleSize / 2 + 0.5, handleSize - 1,
                            handleSize - 1);
@@ -289,7 +289,7 @@ void addSmallNeighbours(const Controller& controller, std::vector<QRectF>& boxes
 bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& window)
 {
     const QRectF seen(0, 0, controller.view().size.x, controller.view().size.y);
-    return pane.active && controller.tool().showsHandles() && seen.intersects(window)
+    return pane.active && controller.toolInfo().showsHandles() && seen.intersects(window)
            && !window.contains(seen);
 }
 

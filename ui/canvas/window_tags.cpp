@@ -51,7 +51,7 @@ std::vector<WindowTag> windowTags(const Controller& controller, const QFont& fon
     const app::Session& session = controller.session();
     const auto& list = session.windows().list;
     std::vector<WindowTag> tags;
-    if (list.size() > most || !controller.tool().showsHandles())
+    if (list.size() > most || !controller.toolInfo().showsHandles())
         return tags;
     const QFontMetricsF metrics(captionFont(font));
     const app::Point room = controller.view().size;

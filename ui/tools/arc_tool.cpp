@@ -14,7 +14,11 @@ constexpr std::string_view keptArc = "arc";
 
 /// Draws an arc by its start, its end and a point on it; or by its centre, its start and its end.
 /// Numbers typed afterwards change it, until something else happens.
-class ArcTool final : public Tool {
+class ArcTool final : public Tool,
+                      public TakenUp,
+                      public TakesKeys,
+                      public HasSteps,
+                      public TypesNumbers {
 public:
     void takeUp(Workbench& bench) override { arc_.byCentre = keptBy(keptArc, bench, {})[0] != 0; }
     void press(const Pointer& pointer, Workbench& bench) override
@@ -72,7 +76,6 @@ public:
         last_.restore(bench);
     }
     bool busy() const override { return !arc_.points.empty(); }
-    bool draws() const override { return true; }
 
     bool canTakeBack() const override { return busy() && !last_.isOpen(); }
     void takeBack(Workbench&) override { arc_.points.pop_back(); }

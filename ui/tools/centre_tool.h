@@ -20,7 +20,7 @@ inline bool changesCorners(const QKeyEvent& event, app::Numbers& numbers)
 
 /// Draws a regular polygon or a star from its centre to a corner. The third number is that of the
 /// corners, which the arrow keys Up and Down change, too.
-class CentreTool : public TwoPointTool {
+class CentreTool : public TwoPointTool, public TakesKeys {
 public:
     bool key(QKeyEvent& event, Workbench&) override
     {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/tools/tool.h"
+#include "ui/tools/tool_parts.h"
 
 namespace ui {
 namespace {
 
 /// Drags the view.
-class HandTool final : public Tool {
+class HandTool final : public Tool, public Snaps {
 public:
     void press(const Pointer& pointer, Workbench&) override { from_ = pointer.screen; }
     void move(const Pointer& pointer, Workbench& bench) override
@@ -22,7 +22,7 @@ public:
     {
         return from_ ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
     }
-    app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
+    void limit(app::SnapQuery& query) const override { query.to = app::SnapTo::Nothing; }
 
 private:
     std::optional<app::Point> from_;

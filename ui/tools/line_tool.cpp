@@ -10,7 +10,7 @@ namespace {
 
 /// Draws a line by a drag, or lines from click to click: each begins where the last one ends, until
 /// Enter, Esc or a double click. With Alt a line extends from its middle to both sides.
-class LineTool final : public TwoPointTool {
+class LineTool final : public TwoPointTool, public TakesKeys, public HasSteps {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
     {

@@ -129,9 +129,11 @@ std::vector<ChainTool::Node> ChainTool::corrected(const app::Point& to) const
     return nodes;
 }
 
-std::optional<app::Subpath> ChainTool::pendingPath() const
+std::optional<app::ObjectInHand> ChainTool::unfinished(const Workbench& bench) const
 {
-    return nodes_.size() >= 2 && !corrects() ? std::optional(pathOf(nodes_, false)) : std::nullopt;
+    if (nodes_.size() < 2 || corrects())
+        return std::nullopt;
+    return inHand(bench, pathOf(nodes_, false));
 }
 
 QString ChainTool::hint(const Workbench& bench) const

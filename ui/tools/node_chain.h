@@ -9,7 +9,11 @@ namespace ui {
 /// Draws a path node by node. A click on the first node closes it; Enter, Esc or another tool end
 /// and keep it. Undo removes the last node. Numbers typed afterwards change the last segment of an
 /// open path, until something else happens; a typed point begins the next path.
-class ChainTool : public Tool {
+class ChainTool : public Tool,
+                  public TakesKeys,
+                  public HasSteps,
+                  public HasUnfinished,
+                  public TypesNumbers {
 public:
     void press(const Pointer& pointer, Workbench& bench) override;
     void move(const Pointer& pointer, Workbench&) override { to_ = pointer.position; }
@@ -20,7 +24,6 @@ public:
     void cancel(Workbench& bench) override;
     void end(Workbench& bench) override { corrects() ? cancel(bench) : finish(bench, false); }
     bool busy() const override { return !nodes_.empty(); }
-    bool draws() const override { return true; }
 
     bool canTakeBack() const override { return !nodes_.empty() && !corrects(); }
     void takeBack(Workbench& bench) override;
@@ -31,8 +34,8 @@ public:
     void reopen(Workbench& bench) override;
     bool corrects() const override { return last_.isOpen(); }
     bool pointBegins() const override { return true; }
-    std::optional<app::Subpath> pendingPath() const override;
-    std::size_t pendingPoints() const override { return corrects() ? 0 : nodes_.size(); }
+    std::optional<app::ObjectInHand> unfinished(const Workbench& bench) const override;
+    std::size_t unfinishedPoints() const override { return corrects() ? 0 : nodes_.size(); }
     QString hint(const Workbench& bench) const override;
     void paint(QPainter& painter, const Workbench& bench) const override;
 

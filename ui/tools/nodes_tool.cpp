@@ -21,7 +21,13 @@ constexpr double nodeReach = 8; // pixels
 
 /// Shows the nodes of the selected objects; selects, moves and adds nodes, and moves handles. What
 /// else can be done with nodes are commands (app/nodes/node_steps.h).
-class NodesTool final : public Tool {
+class NodesTool final : public Tool,
+                        public TakenUp,
+                        public TakesKeys,
+                        public TypesNumbers,
+                        public Snaps,
+                        public Hovers,
+                        public SelectsForMenu {
 public:
     void takeUp(Workbench& bench) override
     {
@@ -56,12 +62,10 @@ public:
     {
         return hovered_.node || hovered_.handle || preview_ ? Qt::SizeAllCursor : Qt::ArrowCursor;
     }
-    app::SnapTo snapsTo() const override
+    void limit(app::SnapQuery& query) const override
     {
-        return preview_ || drag_ == Drag::Press ? app::SnapTo::All : app::SnapTo::Nothing;
-    }
-    void leaveOutMoved(app::SnapQuery& query) const override
-    {
+        if (!preview_ && drag_ != Drag::Press)
+            query.to = app::SnapTo::Nothing;
         if (!preview_)
             return;
         query.without = moving_;

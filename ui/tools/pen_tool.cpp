@@ -86,9 +86,9 @@ public:
         letGo(bench);
     }
     /// The journal follows the handles, too.
-    std::size_t pendingPoints() const override
+    std::size_t unfinishedPoints() const override
     {
-        return 2 * ChainTool::pendingPoints() - (pressed_ ? 1 : 0);
+        return 2 * ChainTool::unfinishedPoints() - (pressed_ ? 1 : 0);
     }
     QString stepText() const override { return Text::tr("Place node"); }
     QString hint(const Workbench& bench) const override

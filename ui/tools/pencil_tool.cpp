@@ -33,7 +33,7 @@ const app::GestureMeasure& toleranceMeasure()
 
 /// Draws a freehand line, smoothed to curves that lie within the tolerance of the pointer's path.
 /// Only its places count, not the pressure of a pen. A tolerance typed afterwards changes the line.
-class PencilTool final : public Tool {
+class PencilTool final : public Tool, public HasUnfinished, public TypesNumbers, public Snaps {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
     {
@@ -66,13 +66,13 @@ public:
         last_.restore(bench);
     }
     bool busy() const override { return !points_.empty(); }
-    bool draws() const override { return true; }
-    std::optional<app::Subpath> pendingPath() const override
+    std::optional<app::ObjectInHand> unfinished(const Workbench& bench) const override
     {
-        return points_.size() >= 2 && !last_.isOpen() ? std::optional(freehand_->draft())
-                                                      : std::nullopt;
+        if (points_.size() < 2 || last_.isOpen())
+            return std::nullopt;
+        return inHand(bench, freehand_->draft());
     }
-    std::size_t pendingPoints() const override { return last_.isOpen() ? 0 : points_.size(); }
+    std::size_t unfinishedPoints() const override { return last_.isOpen() ? 0 : points_.size(); }
 
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
@@ -100,7 +100,7 @@ public:
     }
     bool corrects() const override { return last_.isOpen(); }
 
-    app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
+    void limit(app::SnapQuery& query) const override { query.to = app::SnapTo::Nothing; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (points_.size() >= 2)

@@ -34,7 +34,12 @@ QString handleHint(app::Handle handle)
 
 /// Selects objects by clicks and boxes, and drags them; also drags the clip window by its handles
 /// and outline.
-class SelectTool final : public Tool {
+class SelectTool final : public Tool,
+                         public TakesKeys,
+                         public TypesNumbers,
+                         public Snaps,
+                         public Hovers,
+                         public Transforms {
 public:
     void press(const Pointer& pointer, Workbench& bench) override;
     void move(const Pointer& pointer, Workbench& bench) override;
@@ -80,14 +85,10 @@ public:
     }
 
     QCursor cursor(const Workbench& bench) const override;
-    app::SnapTo snapsTo() const override
+    void limit(app::SnapQuery& query) const override
     {
-        const bool snaps =
-            gesture_.going() || end_.going() || guide_.going() || drag_ == Drag::Pivot;
-        return snaps ? app::SnapTo::All : app::SnapTo::Nothing;
-    }
-    void leaveOutMoved(app::SnapQuery& query) const override
-    {
+        if (!gesture_.going() && !end_.going() && !guide_.going() && drag_ != Drag::Pivot)
+            query.to = app::SnapTo::Nothing;
         if (const auto object = end_.object())
             query.without = {*object};
         query.withoutWindow = gesture_.number();
@@ -98,8 +99,6 @@ public:
                : resize_.going()  ? resize_.snapped()
                                   : gesture_.snapped();
     }
-    bool showsHandles() const override { return true; }
-    bool movesEnds() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
     std::optional<std::size_t> hoveredSegment() const override { return hoveredSegment_; }
     QString hint(const Workbench& bench) const override;

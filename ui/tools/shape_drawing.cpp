@@ -21,6 +21,11 @@ app::Object objectOf(const app::Session& session, std::span<const app::Subpath> 
             .particulars = {.recipe = std::move(recipe)}};
 }
 
+app::ObjectInHand inHand(const Workbench& bench, const app::Subpath& path)
+{
+    return {{objectOf(bench.session, std::span(&path, 1)), app::containerForNew(bench.session)}};
+}
+
 void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText,
           app::Recipe recipe)
 {

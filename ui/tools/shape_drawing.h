@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/tool.h"
+#include "ui/tools/tool_parts.h"
 
 namespace ui {
 
 /// A new object with the session's stroke style.
 app::Object objectOf(const app::Session& session, std::span<const app::Subpath> subpaths,
                      app::Recipe recipe = {});
+
+/// A new object of this path, as it is kept before it is finished.
+app::ObjectInHand inHand(const Workbench& bench, const app::Subpath& path);
 
 /// Adds a new object as one undo step; shared by the drawing tools.
 void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText,

@@ -5,6 +5,7 @@
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"
 #include "app/session/selection_style.h"
+#include "app/session/units.h"
 #include "app/view/outline.h"
 #include "ui/look/text.h"
 #include "ui/tools/picking_marks.h"
@@ -21,7 +22,11 @@ constexpr double baseline = 24;               // pixels of the mark
 
 /// Writes a text of strokes or outlines, and edits one. The letters are typed in a field on the
 /// canvas.
-class TextTool final : public Tool {
+class TextTool final : public Tool,
+                       public TakenUp,
+                       public TypesNumbers,
+                       public TypesText,
+                       public HasUnfinished {
 public:
     void takeUp(Workbench& bench) override
     {
@@ -49,7 +54,6 @@ public:
     }
     void end(Workbench& bench) override;
     bool busy() const override { return text_.has_value(); }
-    bool draws() const override { return true; }
 
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
@@ -65,12 +69,8 @@ public:
         if (std::exchange(goesBack_, false))
             bench.nextTool = "select";
     }
-    std::optional<app::Object> pendingObject(const Workbench& bench) const override;
-    std::optional<std::size_t> replacedObject(const Workbench& bench) const override
-    {
-        return edited(bench) ? object_ : std::nullopt;
-    }
-    std::size_t pendingPoints() const override { return changes_; }
+    std::optional<app::ObjectInHand> unfinished(const Workbench& bench) const override;
+    std::size_t unfinishedPoints() const override { return changes_; }
 
     QCursor cursor(const Workbench&) const override
     {
@@ -142,17 +142,18 @@ const app::TextRecipe* TextTool::edited(const Workbench& bench) const
     return text && *text == before_ ? text : nullptr;
 }
 
-std::optional<app::Object> TextTool::pendingObject(const Workbench& bench) const
+std::optional<app::ObjectInHand> TextTool::unfinished(const Workbench& bench) const
 {
+    const app::ContainerId into = app::containerForNew(bench.session);
     const bool same = edited(bench);
     if (!busy() || letters_.paths.empty() || (same && *text_ == before_))
         return std::nullopt;
     if (!same)
-        return objectOf(bench.session, letters_.paths, *text_);
+        return app::ObjectInHand({objectOf(bench.session, letters_.paths, *text_), into});
     app::Object object = bench.session.now().objects()[*object_].copy();
     object.path = app::Path(letters_.paths);
     object.particulars.recipe = *text_;
-    return object;
+    return app::ObjectInHand({std::move(object), into}, object_);
 }
 
 void TextTool::end(Workbench& bench)

@@ -5,6 +5,8 @@
 #include "app/drawing/transformation.h"
 #include "ui/tools/last_step.h"
 
+#include <QKeyEvent>
+
 namespace ui {
 
 /// Moves, rotates, scales or skews the selection, or copies of it, by a drag or from a key. Typed

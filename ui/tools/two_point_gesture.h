@@ -8,7 +8,7 @@ namespace ui {
 
 /// Makes something from one point to another, by a drag or by two clicks. Numbers typed afterwards
 /// change it, until something else happens.
-class TwoPointGesture : public Tool {
+class TwoPointGesture : public Tool, public TypesNumbers {
 public:
     void press(const Pointer& pointer, Workbench& bench) override;
     void move(const Pointer& pointer, Workbench& bench) override;

@@ -8,7 +8,6 @@ namespace ui {
 /// Draws an object from one point to another.
 class TwoPointTool : public TwoPointGesture {
 public:
-    bool draws() const override { return true; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (gesture_)

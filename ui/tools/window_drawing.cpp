@@ -9,7 +9,7 @@ namespace ui {
 namespace {
 
 /// A window from one point to another, by a drag.
-class WindowOfTwoPoints final : public TwoPointGesture {
+class WindowOfTwoPoints final : public TwoPointGesture, public TakesKeys {
 public:
     explicit WindowOfTwoPoints(const app::WindowKind& kind) : kind_(kind) {}
 

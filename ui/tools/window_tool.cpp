@@ -11,7 +11,12 @@ namespace {
 /// Draws and edits clip windows: a drag inside a window chooses and moves it, a handle of the
 /// chosen one resizes or rotates it, anything else draws a window. One that cuts out or intersects
 /// may begin inside another.
-class WindowTool final : public Tool {
+class WindowTool final : public Tool,
+                         public TakesKeys,
+                         public HasSteps,
+                         public TypesNumbers,
+                         public Snaps,
+                         public Hovers {
 public:
     void press(const Pointer& pointer, Workbench& bench) override;
     void move(const Pointer& pointer, Workbench& bench) override
@@ -43,7 +48,7 @@ public:
     bool key(QKeyEvent& event, Workbench& bench) override;
     bool wants(const QKeyEvent& event, const Workbench& bench) const override
     {
-        return drawing_ && drawing_->wants(event, bench);
+        return drawing_ && drawing_->as<TakesKeys>().wants(event, bench);
     }
     void cancel(Workbench& bench) override
     {
@@ -65,19 +70,22 @@ public:
     }
     bool busy() const override { return drawing_ || gesture_.going(); }
 
-    bool canTakeBack() const override { return drawing_ && drawing_->canTakeBack(); }
+    bool canTakeBack() const override { return drawing_ && drawing_->as<HasSteps>().canTakeBack(); }
     void takeBack(Workbench& bench) override
     {
-        drawing_->takeBack(bench);
+        drawing_->as<HasSteps>().takeBack(bench);
         forgetDrawn(bench);
     }
-    QString stepText() const override { return drawing_ ? drawing_->stepText() : QString(); }
+    QString stepText() const override
+    {
+        return drawing_ ? drawing_->as<HasSteps>().stepText() : QString();
+    }
 
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
         if (drawing_ || gesture_.going())
-            return drawing_ ? drawing_->gauge(bench) : gesture_.gauge(bench);
-        return corrigible(bench) ? drawn_->gauge(bench) : std::nullopt;
+            return drawing_ ? numbers().gauge(bench) : gesture_.gauge(bench);
+        return corrigible(bench) ? drawn_->as<TypesNumbers>().gauge(bench) : std::nullopt;
     }
     void reopen(Workbench& bench) override
     {
@@ -85,26 +93,23 @@ public:
             return;
         drawing_ = std::move(drawn_);
         app::setWindowPen(bench.session, drawnWith_);
-        drawing_->reopen(bench);
+        numbers().reopen(bench);
     }
-    bool corrects() const override { return drawing_ && drawing_->corrects(); }
+    bool corrects() const override { return drawing_ && numbers().corrects(); }
     void accept(const app::GestureEnd& end, Workbench& bench) override
     {
-        drawing_ ? drawing_->accept(end, bench) : gesture_.accept(end, bench);
+        drawing_ ? numbers().accept(end, bench) : gesture_.accept(end, bench);
         forgetDrawn(bench);
     }
 
     QCursor cursor(const Workbench& bench) const override;
-    app::SnapTo snapsTo() const override
+    void limit(app::SnapQuery& query) const override
     {
-        return hoveredHandle_ && !busy() ? app::SnapTo::All.without("window") : app::SnapTo::All;
-    }
-    void leaveOutMoved(app::SnapQuery& query) const override
-    {
+        if (hoveredHandle_ && !busy())
+            query.to = query.to.without("window");
         query.withoutWindow = gesture_.number();
     }
     const app::MovedSnap* snapped() const override { return gesture_.snapped(); }
-    bool showsHandles() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
     QString hint(const Workbench& bench) const override;
     void paint(QPainter& painter, const Workbench& bench) const override
@@ -116,6 +121,8 @@ public:
 private:
     static constexpr double reach = 6; // pixels
 
+    TypesNumbers& numbers() { return drawing_->as<TypesNumbers>(); }
+    const TypesNumbers& numbers() const { return drawing_->as<TypesNumbers>(); }
     /// Whether a window that is drawn may begin inside another.
     static bool drawsInside(const Workbench& bench)
     {
@@ -189,7 +196,7 @@ void WindowTool::press(const Pointer& pointer, Workbench& bench)
 bool WindowTool::key(QKeyEvent& event, Workbench& bench)
 {
     if (drawing_) {
-        const bool used = drawing_->key(event, bench);
+        const bool used = drawing_->as<TakesKeys>().key(event, bench);
         forgetDrawn(bench);
         return used;
     }

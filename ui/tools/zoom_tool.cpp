@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/shape_drawing.h"
+#include "ui/tools/tool_parts.h"
 
 namespace ui {
 namespace {
@@ -7,7 +8,7 @@ namespace {
 constexpr double step = 2;
 
 /// Zooms to a dragged rectangle; a click zooms in, with Alt out.
-class ZoomTool final : public Tool {
+class ZoomTool final : public Tool, public Snaps {
 public:
     void press(const Pointer& pointer, Workbench&) override { from_ = to_ = pointer; }
     void move(const Pointer& pointer, Workbench&) override { to_ = pointer; }
@@ -24,7 +25,7 @@ public:
     }
     void cancel(Workbench&) override { from_.reset(); }
     bool busy() const override { return from_.has_value(); }
-    app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
+    void limit(app::SnapQuery& query) const override { query.to = app::SnapTo::Nothing; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (!from_)

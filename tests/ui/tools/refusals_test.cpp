@@ -116,7 +116,7 @@ private slots:
     {
         for (const bool hidden : {true, false})
             for (const ui::ToolInfo& tool : ui::tools()) {
-                if (!tool.make()->draws())
+                if (!tool.draws())
                     continue;
                 Hand hand(tool.key.data());
                 ::setLayers(hand.session.document,

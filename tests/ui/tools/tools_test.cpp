@@ -57,7 +57,7 @@ private slots:
     {
         std::size_t drawing = 0;
         for (const ui::ToolInfo& tool : ui::tools()) {
-            if (!tool.make()->draws())
+            if (!tool.draws())
                 continue;
             ++drawing;
             Stage stage(raster, {});
