@@ -3,6 +3,8 @@
 
 #include "app/document/object_in_hand.h"
 #include "ui/canvas/canvas_parts.h"
+#include "ui/canvas/view_commands.h"
+#include "ui/canvas/window_tags.h"
 
 #include <QEvent>
 
@@ -20,7 +22,7 @@ Canvas::Parts::Parts(app::Session& session, Backend wish, Canvas& canvas)
 
 void Canvas::Parts::repaint()
 {
-    const QCursor cursor = controller.cursor();
+    const QCursor cursor = controller.pointing().cursor();
     for (const auto& widget : widgets) {
         widget->surface().widget().update();
         widget->surface().widget().setCursor(cursor);
@@ -33,14 +35,15 @@ void Canvas::Parts::repaint()
 Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(session, backend, *this))
 {
-    const Controller& controller = parts_->controller;
+    Controller& controller = parts_->controller;
     connect(&controller, &Controller::changed, this, [this] { parts_->repaint(); });
-    connect(&controller, &Controller::viewChanged, this, &Canvas::viewChanged);
+    connect(&controller.navigation(), &Navigation::moved, this, &Canvas::viewChanged);
     connect(&controller, &Controller::pointerMoved, this, &Canvas::pointerMoved);
-    connect(&controller, &Controller::toolChanged, this, &Canvas::toolChanged);
-    connect(&controller, &Controller::stepsChanged, this, &Canvas::stepsChanged);
+    connect(&controller.held(), &HeldTool::chosen, this, &Canvas::toolChanged);
+    connect(&controller.steps(), &GestureSteps::changed, this, &Canvas::stepsChanged);
     connect(&controller, &Controller::hintChanged, this,
-            [this] { emit hint(parts_->controller.hint()); });
+            [this] { emit hint(parts_->controller.held().hint()); });
+    connect(&controller.held(), &HeldTool::snappingChanged, this, &Canvas::snappingChanged);
     connect(&parts_->ofWindow, &Capsule::menuWanted, this, &Canvas::windowMenuWanted);
     connect(&parts_->ofObjects, &Capsule::menuWanted, this, &Canvas::objectMenuWanted);
     for (const Capsule* capsule : parts_->capsules) {
@@ -61,37 +64,32 @@ Canvas::~Canvas()
 Backend Canvas::backend() const { return parts_->choice.backend; }
 QString Canvas::backendReason() const { return parts_->choice.reason; }
 const app::View& Canvas::view() const { return parts_->controller.view(); }
-double Canvas::zoom() const { return parts_->controller.zoom(); }
-void Canvas::setTool(std::string_view key) { parts_->controller.setTool(key); }
+double Canvas::zoom() const
+{
+    return zoomOf(parts_->controller.session(), parts_->controller.navigation());
+}
+void Canvas::setTool(std::string_view key) { parts_->controller.held().choose(key); }
 std::string_view Canvas::tool() const { return parts_->controller.toolInfo().key; }
-QString Canvas::toolHint() const { return parts_->controller.hint(); }
+QString Canvas::toolHint() const { return parts_->controller.held().hint(); }
 app::DigitUse Canvas::digitUse() const { return parts_->controller.digitUse(); }
 bool Canvas::digitsChoose() const { return parts_->controller.digitsChoose(); }
-bool Canvas::canUndo() const { return parts_->controller.canUndo(); }
-bool Canvas::canRedo() const { return parts_->controller.canRedo(); }
-void Canvas::undo() { parts_->controller.undo(); }
-void Canvas::redo() { parts_->controller.redo(); }
-void Canvas::goToStep(int index) { parts_->controller.goToStep(index); }
-QString Canvas::undoText() const { return parts_->controller.undoText(); }
-QString Canvas::redoText() const { return parts_->controller.redoText(); }
+bool Canvas::canUndo() const { return parts_->controller.steps().canUndo(); }
+bool Canvas::canRedo() const { return parts_->controller.steps().canRedo(); }
+void Canvas::undo() { parts_->controller.steps().undo(); }
+void Canvas::redo() { parts_->controller.steps().redo(); }
+void Canvas::goToStep(int index) { parts_->controller.steps().goTo(index); }
+QString Canvas::undoText() const { return parts_->controller.steps().undoText(); }
+QString Canvas::redoText() const { return parts_->controller.steps().redoText(); }
 void Canvas::endGesture() { parts_->controller.endGesture(); }
 std::optional<app::ObjectInHand> Canvas::pendingObject() const
 {
-    return parts_->controller.pendingObject();
+    return parts_->controller.unfinished();
 }
 void Canvas::transform(const app::Transformation& kind) { parts_->controller.transform(kind); }
-app::SnapTo Canvas::snapping() const { return parts_->controller.snapping(); }
-void Canvas::setSnapping(app::SnapTo to)
-{
-    parts_->controller.setSnapping(to);
-    emit snappingChanged();
-}
-bool Canvas::snaps() const { return parts_->controller.snaps(); }
-void Canvas::switchSnapping(bool on)
-{
-    parts_->controller.switchSnapping(on);
-    emit snappingChanged();
-}
+app::SnapTo Canvas::snapping() const { return parts_->controller.held().snapping(); }
+void Canvas::setSnapping(app::SnapTo to) { parts_->controller.held().setSnapping(to, snaps()); }
+bool Canvas::snaps() const { return parts_->controller.held().snaps(); }
+void Canvas::switchSnapping(bool on) { parts_->controller.held().setSnapping(snapping(), on); }
 bool Canvas::actsOnWindow() const { return parts_->controller.actsOnWindow(); }
 bool Canvas::showsCapsule() const { return parts_->ofWindow.isOn(); }
 std::optional<app::Numbers> Canvas::keptNumbers(std::string_view tool) const
@@ -102,7 +100,7 @@ std::optional<app::Numbers> Canvas::keptNumbers(std::string_view tool) const
 }
 void Canvas::keepNumbers(std::string_view tool, const app::Numbers& numbers)
 {
-    parts_->controller.keepNumbers(tool, numbers);
+    parts_->controller.held().use([&](Tool&, Workbench& bench) { bench.kept[tool] = numbers; });
 }
 bool Canvas::hasWholeCapsule() const
 {
@@ -127,28 +125,44 @@ std::optional<QPoint> Canvas::onDrawing(const QPoint& position) const
 }
 bool Canvas::selectAt(const QPoint& position)
 {
+    Controller& controller = parts_->controller;
     const auto at = onDrawing(position);
-    return at && parts_->controller.selectAt(*at);
+    if (at)
+        controller.endGesture();
+    return at && controller.pointing().selectAt(*at);
 }
 bool Canvas::chooseWindowAt(const QPoint& position)
 {
     const auto at = onDrawing(position);
-    return at && parts_->controller.chooseWindowAt(*at);
+    if (at)
+        parts_->controller.endGesture();
+    return at && ui::chooseWindowAt(*at, parts_->controller.held());
 }
 
-void Canvas::fitDrawing() { parts_->controller.fitDrawing(); }
-void Canvas::fitPage() { parts_->controller.fitPage(); }
-void Canvas::fitSelection() { parts_->controller.fitSelection(); }
-void Canvas::fitWindow() { parts_->controller.fitWindow(); }
+void Canvas::fitDrawing()
+{
+    ui::fitDrawing(parts_->controller.session(), parts_->controller.navigation());
+}
+void Canvas::fitPage()
+{
+    ui::fitPage(parts_->controller.session(), parts_->controller.navigation());
+}
+void Canvas::fitSelection()
+{
+    ui::fitSelection(parts_->controller.session(), parts_->controller.navigation());
+}
+void Canvas::fitWindow()
+{
+    ui::fitWindow(parts_->controller.session(), parts_->controller.navigation());
+}
 void Canvas::go(const app::View& view) { parts_->controller.navigation().go(view); }
-void Canvas::setZoom(double zoom) { parts_->controller.setZoom(zoom); }
+void Canvas::setZoom(double zoom)
+{
+    ui::setZoom(zoom, parts_->controller.session(), parts_->controller.navigation());
+}
 void Canvas::previousView() { parts_->controller.navigation().back(); }
 void Canvas::nextView() { parts_->controller.navigation().forth(); }
-void Canvas::zoomBy(double factor)
-{
-    const app::Point size = view().size;
-    parts_->controller.navigation().zoomAt({size.x / 2, size.y / 2}, factor);
-}
+void Canvas::zoomBy(double factor) { ui::zoomBy(factor, parts_->controller.navigation()); }
 
 void Canvas::changeEvent(QEvent* event)
 {

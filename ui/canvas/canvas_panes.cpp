@@ -65,7 +65,7 @@ void Canvas::addPane()
         std::make_unique<PaneWidget>(parts.controller, parts.choice.backend, this));
     PaneWidget& widget = *parts.widgets.back();
     widget.surface().widget().installEventFilter(this);
-    widget.surface().widget().setCursor(parts.controller.cursor());
+    widget.surface().widget().setCursor(parts.controller.pointing().cursor());
     const auto change = [this, place = parts.widgets.size() - 1](auto edit) {
         if (place >= parts_->shown.size())
             return; // the menu's pane no longer exists

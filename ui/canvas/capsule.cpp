@@ -36,7 +36,7 @@ Capsule::Capsule(Controller& controller, QWidget* parent) : QFrame(parent), cont
     connect(&deaf_, &QTimer::timeout, this,
             [this] { setAttribute(Qt::WA_TransparentForMouseEvents, false); });
     connect(&still_, &QTimer::timeout, this, &Capsule::follow);
-    connect(&controller, &Controller::viewChanged, this, &Capsule::hideWhileMoving);
+    connect(&controller.navigation(), &Navigation::moved, this, &Capsule::hideWhileMoving);
     connect(&controller, &Controller::changed, this, [this] {
         if (isHidden() == (isWanted() && !noRoom_))
             follow();
@@ -161,7 +161,7 @@ bool Capsule::isWanted() const
 {
     return on_ && surface_ && !still_.isActive() && isFor()
            && !controller_.session().display().presenting && !controller_.gestureGoes()
-           && !controller_.typing();
+           && !controller_.typing().going();
 }
 
 bool Capsule::hasKeyboard() const

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/controller.h"
 
+#include "app/session/arrange_selection.h"
 #include "app/session/inspection.h"
+#include "ui/canvas/canvas_keys.h"
+#include "ui/canvas/view_commands.h"
 
 #include <QGuiApplication>
 #include <QPalette>
@@ -10,100 +13,104 @@
 
 namespace ui {
 
-constexpr int growthTold = 100; // milliseconds
-
 Controller::Controller(app::Session& session, QObject* parent)
-    : QObject(parent), session_(session), picking_(session.document, session.scene),
-      textBoxes_(session.scene), shown_(session.display()),
-      look_(lookOf(QGuiApplication::palette())),
-      paperLook_(lookOnPaper(shown_.darkPaper)), bench_{session_,   toolView_, picking_,
-                                                        paperLook_, snapper_,  snapNow_},
-      snapper_(session.document, session.scene, picking_)
+    : QObject(parent), held_(session, navigation_), typing_(held_), aim_(held_, typing_),
+      pointing_(held_, aim_, navigation_), steps_(held_, typing_), frames_(held_.bench()),
+      look_(lookOf(QGuiApplication::palette())), shown_(session.display())
 {
-    setTool(tools().front().key);
-    growing_.setSingleShot(true);
-    growing_.setInterval(growthTold);
-    connect(&growing_, &QTimer::timeout, this, &Controller::stepsChanged);
-    connect(&session.scene, &app::Scene::outdated, this, &Controller::followDocument);
-    connect(&session, &app::Session::displayChanged, this, &Controller::followDisplay);
-    connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
-    connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
-    connect(&session, &app::Session::previewChanged, this, [this] {
-        emit hintChanged(); // another window may be chosen
-        emit changed();
-    });
-    connect(&session.nodes, &app::NodeEditing::changed, this, [this] {
-        followGauge();
+    connect(&navigation_, &Navigation::moved, this, &Controller::changed);
+    connect(&held_, &HeldTool::chosen, this, [this] {
+        aim_.forget();
+        inspectOnly();
         emit hintChanged();
         emit changed();
     });
+    connect(&held_, &HeldTool::used, this, [this] {
+        tellHint();
+        emit changed();
+    });
+    connect(&held_, &HeldTool::snappingChanged, this, [this] {
+        aim_.forget();
+        emit changed();
+    });
+    connect(&typing_, &Typing::changed, this, &Controller::changed);
+    connect(&pointing_, &Pointing::changed, this, &Controller::changed);
+    connect(&pointing_, &Pointing::moved, this, [this](std::optional<app::Point> position) {
+        emit pointerMoved(position);
+        if (position && typing_.readout())
+            emit typing_.changed();
+    });
+    connectSession();
+    fitPage(session, navigation_);
+}
+
+void Controller::connectSession()
+{
+    app::Session& session = this->session();
+    connect(&session.scene, &app::Scene::outdated, this, [this] {
+        aim_.forget();
+        frames_.followPage();
+        emit hintChanged();
+        emit changed();
+    });
+    connect(&session, &app::Session::displayChanged, this, &Controller::followDisplay);
+    connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
+    connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
     connect(&session.entered, &app::EnteredGroup::changed, this, &Controller::changed);
+    const auto tell = [this] {
+        emit hintChanged();
+        emit changed();
+    };
+    connect(&session, &app::Session::previewChanged, this, tell); // another window may be chosen
+    connect(&session.nodes, &app::NodeEditing::changed, this, tell);
     connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::renew);
     connect(&session.exactness, &app::LiveExactness::changed, this, &Controller::renew);
     connect(&session, &app::Session::loaded, this, [this] {
-        withTool([&] { tool_->cancel(bench_); });
-        bench_.lastPoint.reset();
-        followGauge();
-        emit stepsChanged();
-        fitPage();
+        held_.use([](Tool& tool, Workbench& bench) {
+            tool.cancel(bench);
+            bench.lastPoint.reset();
+        });
+        emit steps_.changed();
+        fitPage(this->session(), navigation_);
     });
-    connect(&session.history, &app::History::indexChanged, this, &Controller::stepsChanged);
     // Queued: the scene has followed the document then, and a click has inspected its own line.
     for (const auto signal : {&app::Session::selectionChanged, &app::Session::inspectedChanged})
         connect(&session, signal, this, &Controller::inspectOnly, Qt::QueuedConnection);
-    connect(this, &Controller::toolChanged, this, &Controller::inspectOnly);
-    connect(&navigation_, &Navigation::moved, this, [this] {
-        toolView_ = view();
-        emit viewChanged();
-        emit changed();
-    });
-    fitPage();
 }
 
 /// However an object was selected, it is shown as if it had been clicked.
 void Controller::inspectOnly()
 {
+    app::Session& session = this->session();
     const bool isNew =
-        std::exchange(inspectedSelection_, session_.selection()) != session_.selection();
-    const auto inspected = session_.inspected(), line = app::lineOfOnlyObject(session_);
-    if (!line || !toolInfo_->arranges())
+        std::exchange(inspectedSelection_, session.selection()) != session.selection();
+    const auto inspected = session.inspected(), line = app::lineOfOnlyObject(session);
+    if (!line || !toolInfo().arranges())
         return;
-    const app::SceneLines& lines = session_.scene.lines();
-    const bool other = inspected && lines.objectOf(*inspected) != session_.selection().first();
+    const app::SceneLines& lines = session.scene.lines();
+    const bool other = inspected && lines.objectOf(*inspected) != session.selection().first();
     if (!inspected || (isNew && other))
-        session_.inspect(line);
+        session.inspect(line);
 }
 
 void Controller::outdate()
 {
-    snap_.reset();
+    aim_.forget();
     emit hintChanged();
     renew();
-}
-
-// Frames are told apart by their lines and clip windows. The page sets the size of a millimetre.
-void Controller::followDocument()
-{
-    snap_.reset(); // its target may no longer exist
-    emit hintChanged();
-    const double size = session_.now().page().millimetresPerUnit();
-    if (std::exchange(unitSize_, size) != size)
-        ++revision_;
-    emit changed();
 }
 
 // The lines are unchanged but look different.
 void Controller::renew()
 {
-    ++revision_;
+    frames_.renew();
     emit changed();
 }
 
 // The variant is part of a pane's key, so the other panes' pictures stay valid.
 void Controller::followDisplay()
 {
-    const app::Display before = std::exchange(shown_, session_.display());
-    paperLook_ = lookOnPaper(shown_.darkPaper);
+    const app::Display before = std::exchange(shown_, session().display());
     app::Display now = shown_;
     now.variant = before.variant;
     if (now != before)
@@ -112,18 +119,12 @@ void Controller::followDisplay()
         emit changed();
 }
 
-void Controller::setSnapping(app::SnapTo to)
+/// Says the hint and the use of digits again, if a tool has changed them.
+void Controller::tellHint()
 {
-    snapTo_ = to;
-    switchSnapping(snaps_);
-}
-
-void Controller::switchSnapping(bool on)
-{
-    snaps_ = on;
-    snapNow_ = on ? snapTo_ : app::SnapTo::Nothing;
-    snap_.reset();
-    emit changed();
+    const auto now = std::pair(held_.hint(), digitUse());
+    if (std::exchange(told_, now) != now)
+        emit hintChanged();
 }
 
 void Controller::setLook(const Look& look)
@@ -132,16 +133,64 @@ void Controller::setLook(const Look& look)
     outdate();
 }
 
-void Controller::keepNumbers(std::string_view tool, const app::Numbers& numbers)
-{
-    bench_.kept[tool] = numbers;
-    emit hintChanged(); // it may name them
-}
-
 void Controller::setCapsulePlace(const QRectF& place)
 {
     if (std::exchange(capsulePlace_, place) != place)
         emit changed(); // the label with the size is where the capsule is not
+}
+
+bool Controller::actsOnWindow() const
+{
+    return toolInfo().showsHandles()
+           && (toolInfo().key == "window" ? session().windowChosen()
+                                          : session().windowChosenLast());
+}
+
+app::DigitPlace Controller::digitPlace() const
+{
+    return {.gesture = gestureGoes(),
+            .numbers = typing_.takesNumbers(),
+            .draws = session().worksInDraw,
+            .windowChosen = toolInfo().showsHandles() && session().windowChosen()};
+}
+
+bool Controller::digitsChoose() const
+{
+    app::DigitPlace place = digitPlace();
+    place.gesture = false;
+    return app::digitUse(place) == app::DigitUse::Algorithm;
+}
+
+void Controller::endGesture()
+{
+    pointing_.stopPanning();
+    held_.end();
+}
+
+std::optional<app::ObjectInHand> Controller::unfinished() const
+{
+    return held_.as<HasUnfinished>().unfinished(bench());
+}
+
+void Controller::transform(const app::Transformation& kind)
+{
+    endGesture();
+    app::Session& session = this->session();
+    if (session.selection().empty())
+        session.select(app::justAdded(session));
+    if (session.selection().empty()) {
+        emit session.refused(kind.needs);
+        return;
+    }
+    if (toolInfo().key != "select")
+        held_.choose("select");
+    const app::Point middle = view().toDrawing(view().size * 0.5);
+    const Pointer pointer =
+        held_.pointer.value_or(Pointer{middle, middle, view().toScreen(middle), {}, {}, middle});
+    held_.use([&](Tool& tool, Workbench& bench) {
+        tool.as<Transforms>().transform(kind, pointer, bench);
+    });
+    typing_.steer();
 }
 
 bool Controller::handle(QEvent& event)
@@ -151,7 +200,7 @@ bool Controller::handle(QEvent& event)
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
-        pointerEvent(static_cast<QMouseEvent&>(event));
+        pointing_.handle(static_cast<QMouseEvent&>(event));
         return true;
     case QEvent::Wheel:
         navigation_.wheel(static_cast<QWheelEvent&>(event));
@@ -159,22 +208,16 @@ bool Controller::handle(QEvent& event)
     case QEvent::NativeGesture:
         return navigation_.gesture(static_cast<QNativeGestureEvent&>(event));
     case QEvent::ShortcutOverride:
-        return takesKey(static_cast<QKeyEvent&>(event)) && (event.accept(), true);
+        return takesKey(static_cast<QKeyEvent&>(event), *this) && (event.accept(), true);
     case QEvent::KeyPress:
-        return keyPress(static_cast<QKeyEvent&>(event));
+        return pressKey(static_cast<QKeyEvent&>(event), *this);
     case QEvent::KeyRelease:
-        return keyRelease(static_cast<QKeyEvent&>(event));
+        return releaseKey(static_cast<QKeyEvent&>(event), *this);
     case QEvent::Leave:
-        snap_.reset();
-        withTool([&] {
-            pointer_.reset();
-            tool_->leave(bench_);
-        });
-        emit pointerMoved(std::nullopt);
-        emit changed();
+        pointing_.leave();
         return false;
     case QEvent::FocusOut:
-        space_ = false;
+        pointing_.setSpace(false);
         return false;
     default:
         return false;

@@ -48,7 +48,7 @@ Words labelOf(const Controller& controller, const Pane& pane)
     if (const QString limit = app::limitText(pane.choice, app::needsOf(session.region()));
         !limit.isEmpty() && !hasReasons(pane))
         return {Text::tr("Not clipped here: %1").arg(limit), Text::tr("Not clipped here")};
-    const auto differences = controller.differing(pane);
+    const auto differences = controller.frames().differing(pane);
     if (!differences || differences->list.empty())
         return {};
     Words words = countedWords(app::counted(differences->list));
@@ -82,7 +82,7 @@ void paintDifferenceLabel(QPainter& painter, const Controller& controller, const
     if (words.whole.isEmpty())
         return;
     const Look& look = controller.paperLook();
-    const bool differs = controller.differing(pane) != nullptr;
+    const bool differs = controller.frames().differing(pane) != nullptr;
     const app::Point room = controller.view().size;
     const QFontMetricsF metrics(painter.font());
     const double before = differs ? sample + besideSample : 0;

@@ -48,7 +48,7 @@ protected:
     void paintGL() override
     {
         const double ratio = devicePixelRatioF();
-        want(controller_.patience());
+        want(controller_.frames().patience());
         QOpenGLPaintDevice device((QSizeF(size()) * ratio).toSize());
         device.setDevicePixelRatio(ratio);
         QPainter painter(&device);
@@ -59,7 +59,7 @@ protected:
         if (renderer_ && art) {
             painter.beginNativePainting();
             renderer_->paint(*art, placed(picture_.key()->view), {width(), height()}, ratio,
-                             controller_.ghostOpacity());
+                             controller_.frames().ghostOpacity());
             painter.endNativePainting();
         }
         paintOverlay(painter, controller_, pane_, picture_.key());
@@ -71,7 +71,8 @@ private:
     void want(std::chrono::microseconds patience)
     {
         const double ratio = devicePixelRatioF();
-        app::FrameWish wish = controller_.wish(pane_, ratio, (QSizeF(size()) * ratio).toSize());
+        app::FrameWish wish =
+            controller_.frames().wish(pane_, ratio, (QSizeF(size()) * ratio).toSize());
         wish.make = [size = wish.key.view.size](const app::Picture& picture) {
             return std::make_shared<const GlPicture>(glPicture(picture, size));
         };

@@ -2,6 +2,7 @@
 #include "ui/canvas/object_capsule.h"
 
 #include "app/session/units.h"
+#include "ui/canvas/window_offer.h"
 #include "ui/canvas/window_overlay.h"
 #include "ui/look/text.h"
 #include "ui/tools/end_drag.h"
@@ -132,7 +133,7 @@ app::CapsuleRoom ObjectCapsule::room() const
     if (controller().session().windowNumber())
         std::ranges::copy(windowMarks(controller(), surface()->font()),
                           std::back_inserter(covered));
-    else if (const QRectF offer = controller().offeredHandle(); !offer.isEmpty())
+    else if (const QRectF offer = offeredHandle(controller().held()); !offer.isEmpty())
         covered.push_back(offer);
     return {.box = box, .covered = std::move(covered)};
 }

@@ -120,7 +120,7 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
     clipping::Clipped piece[1];
     const Segment one[1]{whole};
     const bool visible =
-        app::clipAll(pane.choice, std::span(one), controller.window(), std::span(piece)) == 1;
+        app::clipAll(pane.choice, std::span(one), session.window(), std::span(piece)) == 1;
     const QColor blue = controller.paperLook().selection;
     QPen dashed(blue, 1.75, Qt::CustomDashLine, Qt::FlatCap);
     dashed.setDashPattern({5 / 1.75, 4 / 1.75});
@@ -201,8 +201,8 @@ void paintOverlay(QPainter& painter, const Controller& controller, const Pane& p
     painter.restore();
     painter.save();
     controller.tool().paint(painter, controller.bench());
-    if (controller.guideDrag().going())
-        controller.guideDrag().paint(painter, controller.bench());
+    if (controller.pointing().guide().going())
+        controller.pointing().guide().paint(painter, controller.bench());
     painter.restore();
     if (pane.active)
         paintSnapMarker(painter, controller);
@@ -215,7 +215,8 @@ std::optional<clipping::Segment> lineLookedAt(const Controller& controller)
     if (const auto& drawn = controller.session().preview().line)
         return drawn;
     const app::SceneLines& lines = controller.session().scene.lines();
-    for (const auto& index : {controller.session().inspected(), controller.tool().as<Hovers>().hoveredSegment()})
+    for (const auto& index :
+         {controller.session().inspected(), controller.tool().as<Hovers>().hoveredSegment()})
         if (index && *index < lines.size())
             return lines[*index];
     return std::nullopt;
@@ -249,7 +250,7 @@ void paintWhatIsSeen(QPainter& painter, const Controller& controller, const Pane
          .look = controller.paperLook(),
          .page = controller.pageColour(),
          .taken = windowFurniture(controller, pane, painter.font()),
-         .avoided = controller.textBoxes()});
+         .avoided = controller.frames().textBoxes()});
 }
 
 } // namespace ui

@@ -33,7 +33,7 @@ public:
 protected:
     void paintEvent(QPaintEvent*) override
     {
-        want(controller_.patience());
+        want(controller_.frames().patience());
         QPainter painter(this);
         paintPaper(painter, controller_);
         picture_.paint(painter);
@@ -46,7 +46,7 @@ private:
     {
         const double ratio = devicePixelRatioF();
         const QSize pixels = (QSizeF(size()) * ratio).toSize();
-        picture_.want(controller_.wish(pane_, ratio, pixels), patience);
+        picture_.want(controller_.frames().wish(pane_, ratio, pixels), patience);
     }
 
     Controller& controller_;

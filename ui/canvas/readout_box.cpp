@@ -20,7 +20,7 @@ constexpr int besideRule = 6;
 } // namespace
 
 ReadoutBox::ReadoutBox(Controller& controller, QWidget* parent)
-    : QFrame(parent), controller_(controller), error_(new QLabel)
+    : QFrame(parent), controller_(controller), typing_(controller.typing()), error_(new QLabel)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAccessibleName(Text::tr("Numbers of the gesture"));
@@ -42,9 +42,9 @@ ReadoutBox::ReadoutBox(Controller& controller, QWidget* parent)
     error_->setContentsMargins(8, 0, 8, 5);
     column->addWidget(error_);
     hide();
-    connect(&controller, &Controller::readoutChanged, this, &ReadoutBox::follow);
-    connect(&controller, &Controller::viewChanged, this, &ReadoutBox::follow);
-    connect(&controller, &Controller::typingBegan, this, &ReadoutBox::open);
+    connect(&typing_, &Typing::changed, this, &ReadoutBox::follow);
+    connect(&controller.navigation(), &Navigation::moved, this, &ReadoutBox::follow);
+    connect(&typing_, &Typing::began, this, &ReadoutBox::open);
 }
 
 ReadoutBox::Cell ReadoutBox::makeCell()
@@ -59,7 +59,7 @@ ReadoutBox::Cell ReadoutBox::makeCell()
     cell.field->setMaxLength(200);
     cell.field->installEventFilter(this);
     connect(cell.field, &QLineEdit::textEdited, this,
-            [this](const QString& text) { controller_.typeNumber(text); });
+            [this](const QString& text) { typing_.type(text); });
     return cell;
 }
 
@@ -72,15 +72,15 @@ void ReadoutBox::setSurface(QWidget* surface)
 void ReadoutBox::follow()
 {
     using State = app::Readout::State;
-    const auto& readout = controller_.readout();
-    const bool shown = surface_ && controller_.showsReadout();
-    if (!shown || !controller_.typing())
+    const auto& readout = typing_.readout();
+    const bool shown = surface_ && typing_.shown();
+    if (!shown || !typing_.going())
         giveBackKeyboard();
     if (!shown) {
-        controller_.setReadoutPlace({});
+        typing_.place = {};
         return hide();
     }
-    const app::Point end = readout->end(controller_.aim());
+    const app::Point end = readout->end(typing_.aim());
     for (std::size_t number = 0; number < cells_.size(); ++number) {
         const bool used = number < readout->gauge().measure->fields.size();
         cells_[number].name->setVisible(used);
@@ -99,12 +99,12 @@ void ReadoutBox::follow()
 
 void ReadoutBox::showNumber(std::size_t number, const app::Point& end)
 {
-    const app::Readout& readout = *controller_.readout();
+    const app::Readout& readout = *typing_.readout();
     const Cell& cell = cells_[number];
     const app::Quantity quantity = readout.gauge().measure->fields[number].quantity;
     const bool isShort = quantity == app::Quantity::Count || quantity == app::Quantity::Share;
     cell.field->setFixedWidth(isShort ? shortFieldWidth : fieldWidth);
-    const bool open = controller_.typing() && readout.active() == number;
+    const bool open = typing_.going() && readout.active() == number;
     cell.name->setText(readout.gauge().measure->fields[number].name);
     if (open && cell.field->text() == readout.typed(number))
         return; // the caret stays where it is
@@ -120,9 +120,9 @@ void ReadoutBox::place()
 {
     adjustSize();
     const auto& pointer = controller_.pointer();
-    const app::Point at =
-        pointer ? pointer->screen
-                : controller_.view().toScreen(controller_.readout()->gauge().start.from);
+    const app::Point at = pointer
+                              ? pointer->screen
+                              : controller_.view().toScreen(typing_.readout()->gauge().start.from);
     QPoint place(int(at.x) + besidePointer, int(at.y) + belowPointer);
     if (place.x() + width() > surface_->width())
         place.setX(int(at.x) - besidePointer - width());
@@ -130,16 +130,16 @@ void ReadoutBox::place()
         place.setY(int(at.y) - belowPointer - height());
     place.setX(std::clamp(place.x(), 0, std::max(0, surface_->width() - width())));
     place.setY(std::clamp(place.y(), 0, std::max(0, surface_->height() - height())));
-    controller_.setReadoutPlace(QRectF(place, size()));
+    typing_.place = QRectF(place, size());
     move(surface_->mapTo(parentWidget(), place));
 }
 
 void ReadoutBox::open()
 {
     follow();
-    if (!controller_.readout())
+    if (!typing_.readout())
         return;
-    QLineEdit* field = cells_[controller_.readout()->active()].field;
+    QLineEdit* field = cells_[typing_.readout()->active()].field;
     field->setFocus();
     field->end(false);
     update();
@@ -155,10 +155,10 @@ void ReadoutBox::giveBackKeyboard()
 
 bool ReadoutBox::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::FocusOut && controller_.typing()) {
+    if (event->type() == QEvent::FocusOut && typing_.going()) {
         const auto is = [](const Cell& cell) { return cell.field->hasFocus(); };
         if (std::ranges::none_of(cells_, is))
-            controller_.stopTyping();
+            typing_.stop();
     }
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = static_cast<const QKeyEvent&>(*event);
@@ -173,7 +173,7 @@ bool ReadoutBox::eventFilter(QObject* watched, QEvent* event)
 /// In the active field, which may be another one by now.
 void ReadoutBox::goOn()
 {
-    const auto& readout = controller_.readout();
+    const auto& readout = typing_.readout();
     if (!readout)
         return;
     QLineEdit* field = cells_[readout->active()].field;
@@ -184,28 +184,28 @@ void ReadoutBox::goOn()
 
 bool ReadoutBox::key(const QKeyEvent& event)
 {
-    const auto& readout = controller_.readout();
+    const auto& readout = typing_.readout();
     if (!readout)
         return false;
     switch (event.key()) {
     case Qt::Key_Tab:
     case Qt::Key_Backtab:
-        controller_.lockNumber();
+        typing_.lock();
         goOn();
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        controller_.acceptNumber();
-        if (controller_.typing())
+        typing_.accept();
+        if (typing_.going())
             goOn();
         return true;
     case Qt::Key_Escape:
-        controller_.releaseNumber();
+        typing_.release();
         return true;
     case Qt::Key_Backspace:
         if (!cells_[readout->active()].field->text().isEmpty())
             return false;
-        controller_.releaseNumber();
+        typing_.release();
         return true;
     default:
         return false;
@@ -227,9 +227,9 @@ void ReadoutBox::paintEvent(QPaintEvent*)
             const int between = cell.name->x() + besideRule - 1;
             painter.drawLine(QPointF(between + 0.5, 1), QPointF(between + 0.5, cellHeight));
         }
-    if (!controller_.typing() || !controller_.readout())
+    if (!typing_.going() || !typing_.readout())
         return;
-    const QRect field = cells_[controller_.readout()->active()].field->geometry();
+    const QRect field = cells_[typing_.readout()->active()].field->geometry();
     painter.fillRect(QRect(field.left(), field.bottom() + 1, field.width(), 2),
                      refused ? look.differs : look.selection);
 }

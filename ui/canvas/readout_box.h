@@ -42,6 +42,7 @@ private:
     bool key(const QKeyEvent& event);
 
     Controller& controller_;
+    Typing& typing_;
     QWidget* surface_ = nullptr;
     std::array<Cell, app::mostNumbers> cells_{};
     QLabel* error_;

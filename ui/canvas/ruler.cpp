@@ -54,23 +54,23 @@ Ruler::Ruler(Controller& controller, Qt::Orientation orientation, QWidget* paren
 
 void Ruler::mousePressEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton)
-        controller_.dragGuide(across() ? 1 : 0);
-    else
-        event->ignore();
+    if (event->button() != Qt::LeftButton)
+        return event->ignore();
+    controller_.endGesture();
+    controller_.pointing().dragGuide(across() ? 1 : 0);
 }
 
 // The drawing begins where the rulers end.
 void Ruler::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF inside = across() ? QPointF(0, rulerWidth) : QPointF(rulerWidth, 0);
-    controller_.moveGuide(event->position() - inside, event->modifiers());
+    controller_.pointing().moveGuide(event->position() - inside, event->modifiers());
 }
 
 void Ruler::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton)
-        controller_.dropGuide();
+        controller_.pointing().dropGuide();
 }
 
 void Ruler::paintEvent(QPaintEvent*)

@@ -50,7 +50,7 @@ void paintPlace(QPainter& painter, const Controller& controller, const app::Snap
     const app::Point canvas = controller.view().size;
     paintSnapLabel(painter, look, snap,
                    app::markerPlace(at, labelSize(painter, snap.word()), {canvas.x, canvas.y},
-                                    controller.readoutPlace()));
+                                    controller.typing().place));
 }
 
 app::Point pointOn(const app::AlignmentLine& line, double along)
@@ -79,7 +79,7 @@ void paintGap(QPainter& painter, const Controller& controller, const app::Alignm
                      / 2);
     const bool fits = controller.bench().view.zoom * gap
                       > (line.axis == 0 ? 3 * gapHeight : place.width() + 2 * gapHeight);
-    if (!fits || place.intersects(controller.readoutPlace()))
+    if (!fits || place.intersects(controller.typing().place))
         return;
     painter.setPen(Qt::NoPen);
     painter.setBrush(controller.paperLook().guideGround);
@@ -104,7 +104,7 @@ void paintAlignment(QPainter& painter, const Controller& controller, const app::
 void paintSnapMarker(QPainter& painter, const Controller& controller)
 {
     const app::MovedSnap* moved = controller.tool().as<Snaps>().snapped();
-    const auto& place = moved ? moved->place : controller.snapped();
+    const auto& place = moved ? moved->place : controller.aim().snapped();
     if (!moved && (!place || !controller.pointer()))
         return;
     for (const app::AlignmentLine& line : moved ? moved->lines : place->lines)

@@ -77,7 +77,7 @@ TextBox::TextBox(Controller& controller, QWidget* parent)
     connect(size_, &LengthField::entered, this, goOn);
     connect(size_, &LengthField::refused, &controller.session(), &app::Session::refused);
     connect(&controller, &Controller::changed, this, &TextBox::follow);
-    connect(&controller, &Controller::viewChanged, this, &TextBox::follow);
+    connect(&controller.navigation(), &Navigation::moved, this, &TextBox::follow);
 }
 
 void TextBox::setSurface(QWidget* surface)
@@ -163,7 +163,8 @@ void TextBox::change(const std::function<void(app::TextRecipe&)>& edit)
         return;
     app::TextRecipe text = typed->recipe;
     edit(text);
-    controller_.typeText(text);
+    controller_.held().use(
+        [&](Tool& tool, Workbench& bench) { tool.as<TypesText>().typeText(text, bench); });
 }
 
 bool TextBox::eventFilter(QObject* watched, QEvent* event)
@@ -201,7 +202,8 @@ bool TextBox::key(const QKeyEvent& event)
     const bool ends =
         event.key() == Qt::Key_Escape || (enter && !(event.modifiers() & Qt::ShiftModifier));
     if (ends)
-        controller_.finishText();
+        controller_.held().use(
+            [](Tool& tool, Workbench& bench) { tool.as<TypesText>().finishText(bench); });
     else if (enter)
         text_->insertPlainText(QStringLiteral("\n"));
     return ends || enter;

@@ -165,7 +165,7 @@ QColor WindowCapsule::ringColour() const
 {
     const app::Session& session = controller().session();
     const auto number = session.windowNumber();
-    return number ? colourOf(session.windows().list[*number], controller()) : QColor();
+    return number ? colourOf(session.windows().list[*number], controller().bench()) : QColor();
 }
 
 } // namespace ui

@@ -17,8 +17,12 @@ QString text() { return Text::tr("Lay window on page"); }
 
 } // namespace
 
-QRectF offerPlace(const clipping::Window& page, const app::View& view)
+QRectF offeredHandle(const HeldTool& held)
 {
+    if (held.session().clipWindow() || !held.info().showsHandles())
+        return {};
+    const clipping::Window page = held.session().now().page().rectangle();
+    const app::View& view = held.view();
     const app::Point min = view.toScreen(page.min), max = view.toScreen(page.max);
     const QSizeF size =
         QFontMetricsF(QGuiApplication::font()).boundingRect(text()).size() + QSizeF(20, 8);

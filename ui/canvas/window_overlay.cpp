@@ -118,10 +118,9 @@ void forEachVisible(const app::Session& session, const Visit& visit)
             visit(i, step++);
 }
 
-double outlineWidth(const Controller& controller, bool hovered)
+double outlineWidth(const app::Session& session, bool hovered)
 {
-    return (hovered ? outlineHovered : usualOutline)
-           * (controller.session().display().presenting ? 2 : 1);
+    return (hovered ? outlineHovered : usualOutline) * (session.display().presenting ? 2 : 1);
 }
 
 /// The outline of a visible window, as it was in the frame that is shown.
@@ -143,14 +142,14 @@ QPainterPath outlineInFrame(const Controller& controller, std::size_t window, st
 
 void paintBorder(QPainter& painter, const Controller& controller, const QPainterPath& border)
 {
-    const double width =
-        outlineWidth(controller, controller.tool().as<Hovers>().hoveredHandle() == app::Handle{});
+    const double width = outlineWidth(
+        controller.session(), controller.tool().as<Hovers>().hoveredHandle() == app::Handle{});
     QPen pen(controller.pageColour(), width + 2 * casing, Qt::SolidLine, Qt::FlatCap,
              Qt::MiterJoin);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(pen);
     painter.drawPath(border);
-    pen.setColor(colourOf(actedOn(controller), controller));
+    pen.setColor(colourOf(actedOn(controller), controller.bench()));
     pen.setWidthF(width);
     setDashes(pen, actedOn(controller).operation);
     painter.setPen(pen);
@@ -175,7 +174,7 @@ void paintReasons(QPainter& painter, const Controller& controller, const Pane& p
             if (other != step)
                 taken.push_back(boxOnScreen(controller.view(), steps[other].box));
         if (pane.active)
-            for (const WindowTag& tag : windowTags(controller, painter.font()))
+            for (const WindowTag& tag : windowTags(controller.held(), painter.font()))
                 taken.push_back(tag.place);
         paintWhyLeftAlone(painter, controller, boxOnScreen(controller.view(), steps[step].box),
                           app::limitText(pane.choice, app::needsOf(steps[step])), taken);
@@ -204,7 +203,7 @@ void paintBorders(QPainter& painter, const Controller& controller, const Pane& p
             return;
         }
         const app::ClipWindow& window = session.windows().list[number];
-        QPen pen(colourOf(window, controller), 1);
+        QPen pen(colourOf(window, controller.bench()), 1);
         setDashes(pen, window.operation);
         painter.setPen(pen);
         painter.drawPath(outline);
@@ -237,7 +236,7 @@ void paintHandles(QPainter& painter, const Controller& controller)
 {
     const app::WindowFrame& frame = *controller.session().windowFrame();
     const auto placed = app::placedHandles(frame, controller.view());
-    const QColor colour = colourOf(actedOn(controller), controller);
+    const QColor colour = colourOf(actedOn(controller), controller.bench());
     painter.setPen(QPen(colour, 1));
     painter.setBrush(Qt::NoBrush);
     if (std::holds_alternative<app::PathShape>(actedOn(controller).shape)) {
@@ -295,20 +294,20 @@ bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& w
 
 } // namespace
 
-std::vector<app::BorderLine> longBorders(const Controller& controller, const Pane& pane)
+std::vector<app::BorderLine> longBorders(const Workbench& bench, const Pane& pane)
 {
-    const app::Session& session = controller.session();
+    const app::Session& session = bench.session;
     std::vector<app::BorderLine> borders;
     forEachVisible(session, [&](std::size_t number, std::size_t step) {
         if (!app::isLong(session.region().steps[step]) || leavesAlone(pane, step))
             return;
         const app::ClipWindow& window = session.windows().list[number];
         app::BorderLine line{.step = step,
-                             .colour = plainColour(colourOf(window, controller)),
-                             .below = plainColour(controller.pageColour()),
+                             .colour = plainColour(colourOf(window, bench)),
+                             .below = plainColour(bench.look.paper),
                              .dashes = app::infoOf(window.operation).dashes};
         if (number == session.windowNumber()) {
-            line.width = outlineWidth(controller, false);
+            line.width = outlineWidth(session, false);
             line.widthBelow = line.width + 2 * casing;
         }
         borders.push_back(std::move(line));
@@ -320,7 +319,7 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
                  const app::FrameKey* shown)
 {
     if (!controller.clipWindow()) {
-        if (const QRectF place = controller.offeredHandle(); pane.active && !place.isEmpty())
+        if (const QRectF place = offeredHandle(controller.held()); pane.active && !place.isEmpty())
             paintOffer(painter, place, controller.pointer(), controller.paperLook(),
                        controller.pageColour());
         return;
@@ -329,7 +328,7 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     paintReasons(painter, controller, pane);
     const QRectF window = boxOnScreen(controller);
     if (pane.active)
-        paintTags(painter, controller);
+        paintTags(painter, controller.held());
     if (!isFurnished(controller, pane, window))
         return;
     paintHandles(painter, controller);
@@ -348,7 +347,7 @@ QRectF windowBox(const Controller& controller)
 std::vector<QRectF> windowMarks(const Controller& controller, const QFont& font)
 {
     std::vector<QRectF> marks = handleBoxes(controller);
-    for (const WindowTag& tag : windowTags(controller, font))
+    for (const WindowTag& tag : windowTags(controller.held(), font))
         marks.push_back(tag.place);
     addSmallNeighbours(controller, marks);
     return marks;
@@ -358,7 +357,7 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
                                     const QFont& font)
 {
     if (!controller.clipWindow())
-        return {controller.offeredHandle()};
+        return {offeredHandle(controller.held())};
     const QRectF window = boxOnScreen(controller);
     std::vector<QRectF> places{QRectF(window.topLeft(), QSizeF(window.width(), 0)),
                                QRectF(window.bottomLeft(), QSizeF(window.width(), 0)),
@@ -367,7 +366,7 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
     for (QRectF& edge : places)
         edge.adjust(-usualOutline, -usualOutline, usualOutline, usualOutline);
     if (pane.active)
-        for (const WindowTag& tag : windowTags(controller, font))
+        for (const WindowTag& tag : windowTags(controller.held(), font))
             places.push_back(tag.place);
     if (!isFurnished(controller, pane, window))
         return places;

@@ -6,7 +6,7 @@
 namespace ui {
 
 /// The outlines that are long; the picture shows them.
-std::vector<app::BorderLine> longBorders(const Controller& controller, const Pane& pane);
+std::vector<app::BorderLine> longBorders(const Workbench& bench, const Pane& pane);
 /// Paints the clip window: its outline with a casing, unless it is long, and, in the active pane,
 /// its handles and, without a capsule, a label with its size or position. The outline is where the
 /// window was in the frame `shown`, if that is an earlier one: cut and outline move together, and

@@ -4,10 +4,14 @@
 #include "app/document/window_shape.h"
 #include "app/session/window_operations.h"
 #include "app/session/window_words.h"
+#include "app/view/area_at.h"
 #include "ui/look/look.h"
+#include "ui/tools/picking_marks.h"
 #include "ui/tools/shape_drawing.h"
+#include "ui/tools/window_gesture.h"
 
 #include <QFontMetricsF>
+#include <QGuiApplication>
 
 namespace ui {
 namespace {
@@ -40,45 +44,81 @@ QRectF placeOf(const app::ClipWindow& window, const app::View& view, double widt
 
 } // namespace
 
-QColor colourOf(const app::ClipWindow& window, const Controller& controller)
+QColor colourOf(const app::ClipWindow& window, const Workbench& bench)
 {
-    return window.colour ? shownColour(*window.colour, controller.bench())
-                         : controller.paperLook().accent;
+    return window.colour ? shownColour(*window.colour, bench) : bench.look.accent;
 }
 
-std::vector<WindowTag> windowTags(const Controller& controller, const QFont& font)
+std::vector<WindowTag> windowTags(const HeldTool& held, const QFont& font)
 {
-    const app::Session& session = controller.session();
+    const app::Session& session = held.session();
     const auto& list = session.windows().list;
     std::vector<WindowTag> tags;
-    if (list.size() > most || !controller.toolInfo().showsHandles())
+    if (list.size() > most || !held.info().showsHandles())
         return tags;
     const QFontMetricsF metrics(captionFont(font));
-    const app::Point room = controller.view().size;
+    const app::Point room = held.view().size;
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (!list[i].visible || i == session.windowNumber() || app::isEmpty(list[i].shape))
             continue;
         const QString text = textOf(list[i], metrics);
         const double width = metrics.horizontalAdvance(text) + 2 * besideText;
-        const QRectF place = placeOf(list[i], controller.view(), width);
+        const QRectF place = placeOf(list[i], held.view(), width);
         if (place.intersects({0, 0, room.x, room.y}))
-            tags.push_back({place, text, colourOf(list[i], controller), i});
+            tags.push_back({place, text, colourOf(list[i], held.bench()), i});
     }
     return tags;
 }
 
-void paintTags(QPainter& painter, const Controller& controller)
+void paintTags(QPainter& painter, const HeldTool& held)
 {
-    const auto tags = windowTags(controller, painter.font());
+    const auto tags = windowTags(held, painter.font());
     painter.save();
     painter.setFont(captionFont(painter.font()));
-    painter.setBrush(controller.pageColour());
+    painter.setBrush(held.bench().look.paper);
     for (const auto& [place, text, colour, number] : tags) {
         painter.setPen(QPen(colour, 1));
         painter.drawRoundedRect(place.adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
         painter.drawText(place, Qt::AlignCenter, text);
     }
     painter.restore();
+}
+
+std::optional<std::size_t> nameAt(const QPointF& screen, const HeldTool& held)
+{
+    if (held.busy() || !held.session().clipWindow())
+        return std::nullopt;
+    std::optional<std::size_t> uppermost;
+    for (const WindowTag& tag : windowTags(held, QGuiApplication::font()))
+        if (tag.place.contains(screen))
+            uppermost = tag.number;
+    return uppermost;
+}
+
+std::optional<std::size_t> tagAt(const QPointF& screen, const HeldTool& held)
+{
+    const bool selects = held.info().key == "select"; // others begin something there
+    return selects && !windowHandleAt({screen.x(), screen.y()}, held.bench()) ? nameAt(screen, held)
+                                                                              : std::nullopt;
+}
+
+bool chooseWindowAt(const QPointF& screen, HeldTool& held)
+{
+    constexpr double outlineReach = 4; // pixels
+    app::Session& session = held.session();
+    const Workbench& bench = held.bench();
+    const app::Point at{screen.x(), screen.y()}, there = held.view().toDrawing(at);
+    const auto object = pickedAt(there, bench).object;
+    if (object && session.selection().contains(*object))
+        return false;
+    if (held.info().showsHandles() && windowHandleAt(at, bench))
+        return true; // of the one that tools act on
+    auto number = nameAt(screen, held);
+    if (!number && !object)
+        number = app::windowBorderAt(session.windows(), there, bench.inDrawing(outlineReach));
+    if (number)
+        session.chooseWindow(*number);
+    return number.has_value();
 }
 
 } // namespace ui

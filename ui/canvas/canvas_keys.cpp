@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/canvas_keys.h"
+
+#include "app/commands/move_objects.h"
+#include "app/session/window_operations.h"
+#include "app/session/window_steps.h"
+#include "ui/canvas/view_commands.h"
+#include "ui/editing/keeping.h"
+#include "ui/tools/group_choice.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ui {
+namespace {
+
+constexpr double panStep = 48; // pixels
+constexpr double larger = 10;  // factor with Shift
+
+bool isPlain(const QKeyEvent& event) { return !(event.modifiers() & ~Qt::KeypadModifier); }
+
+bool isEnter(const QKeyEvent& event)
+{
+    return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+}
+
+/// The text with which typing begins; empty: the key types no number.
+QString firstTyped(const QKeyEvent& event, bool points)
+{
+    // Shift+2 and Shift+3 fit the view, unless a point can begin here.
+    const QString first =
+        points ? QStringLiteral("0123456789.,-+<@#(") : QStringLiteral("0123456789.,-+<(");
+    const auto others =
+        ~Qt::KeyboardModifiers(Qt::ShiftModifier | Qt::KeypadModifier | Qt::GroupSwitchModifier);
+    if (event.text().size() != 1 || (event.modifiers() & others))
+        return {};
+    return first.contains(event.text().front()) ? event.text() : QString();
+}
+
+/// Enter opens the numbers of what was just done, also where digits have another use.
+bool beginsTyping(const QKeyEvent& event, const Controller& controller)
+{
+    if (!controller.typing().takesNumbers())
+        return false;
+    const bool busy = controller.held().busy(), goes = controller.gestureGoes();
+    const bool opens = goes ? busy && event.key() == Qt::Key_Tab : isEnter(event);
+    if (opens && isPlain(event))
+        return true;
+    const auto points = controller.typing().readout()->gauge().measure->points;
+    const bool point = busy || points == app::GestureMeasure::Points::Absolute;
+    const QString first = firstTyped(event, point);
+    // A sign says what the chosen clip window does, where digits choose its algorithm.
+    const bool sign = first == u"+" || first == u"-";
+    const bool forWindow = sign && controller.actsOnWindow() && !goes;
+    return !first.isEmpty() && !forWindow
+           && (!first.front().isDigit() || controller.digitUse() == app::DigitUse::Number);
+}
+
+/// A number typed during a gesture that takes none does nothing: it must not choose the algorithm.
+bool keepsFromShortcuts(const QKeyEvent& event, const Controller& controller)
+{
+    return controller.gestureGoes() && !firstTyped(event, false).isEmpty();
+}
+
+/// Backs out one level: first the gesture, then the group, then the selection, then the tool.
+bool escape(const QKeyEvent& event, Controller& controller)
+{
+    if (event.key() != Qt::Key_Escape)
+        return false;
+    app::Session& session = controller.session();
+    if (controller.typing().releaseLocked())
+        return true;
+    if (controller.pointing().guide().going()) {
+        controller.pointing().cancelGuide();
+    } else if (controller.held().busy()) {
+        controller.endGesture();
+    } else if (session.entered.id() != 0) {
+        leaveGroup(session);
+    } else if (!session.selection().empty() || session.inspected()) {
+        session.select({});
+        session.inspect(std::nullopt);
+    } else if (&controller.toolInfo() != &tools().front()) {
+        controller.held().choose(tools().front().key);
+    } else {
+        return false; // the window may have something to leave
+    }
+    return true;
+}
+
+bool arrow(const QKeyEvent& event, Controller& controller)
+{
+    const int key = event.key();
+    const app::Point direction(int(key == Qt::Key_Right) - int(key == Qt::Key_Left),
+                               int(key == Qt::Key_Down) - int(key == Qt::Key_Up));
+    const auto others =
+        Qt::KeyboardModifiers(Qt::KeypadModifier | Qt::ShiftModifier | Qt::AltModifier);
+    if (direction == app::Point(0) || (event.modifiers() & ~others) || controller.held().busy())
+        return false;
+    app::Session& session = controller.session();
+    const app::Point by = direction * nudge(controller.bench(), event.modifiers());
+    if (event.modifiers() & Qt::AltModifier) {
+        app::moveWindow(session, by, app::Merging::WithLast);
+    } else if (!session.selection().empty()) {
+        session.history.push(new app::MoveObjects(session.document, session.selection(), by,
+                                                  app::Merging::WithLast));
+    } else {
+        controller.navigation().pan(QPointF(-direction.x, -direction.y)
+                                    * (event.modifiers() & Qt::ShiftModifier ? larger : 1)
+                                    * panStep);
+    }
+    return true;
+}
+
+bool viewKey(const QKeyEvent& event, Controller& controller)
+{
+    return keyOfView(event, controller.session(), controller.navigation());
+}
+
+bool toolKey(const QKeyEvent& event, Controller& controller)
+{
+    if (!isPlain(event))
+        return false;
+    for (const ToolInfo& info : tools())
+        if (info.shortcut == QKeySequence(event.key())) {
+            controller.held().choose(info.key);
+            return true;
+        }
+    return false;
+}
+
+bool transformKey(const QKeyEvent& event, Controller& controller)
+{
+    if (!isPlain(event))
+        return false;
+    for (const app::Transformation& kind : app::transformations())
+        if (event.key() == kind.letter.unicode()) {
+            controller.transform(kind);
+            return true;
+        }
+    return false;
+}
+
+/// Of the chosen clip window, as in its capsule.
+bool windowKey(const QKeyEvent& event, Controller& controller)
+{
+    app::Session& session = controller.session();
+    const bool commands = event.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
+    if (commands || controller.gestureGoes() || !controller.actsOnWindow())
+        return false;
+    for (const app::WindowOperationInfo& each : app::windowOperations())
+        if (event.text() == each.letter) {
+            app::setWindowOperation(session, *session.windowNumber(), each.operation);
+            return true;
+        }
+    if (event.key() == Qt::Key_X) {
+        keepOtherSide(session);
+        return true;
+    }
+    // With this tool only: Esc leaves it, and Tab moves the focus again.
+    const bool forth = event.key() == Qt::Key_Tab, back = event.key() == Qt::Key_Backtab;
+    return (forth || back) && controller.toolInfo().key == "window"
+           && app::chooseNeighbour(session, forth ? 1 : -1);
+}
+
+bool capsuleKey(const QKeyEvent& event, Controller& controller)
+{
+    if (!isEnter(event) || !isPlain(event) || controller.gestureGoes()
+        || controller.capsulePlace().isEmpty())
+        return false;
+    emit controller.capsuleWanted();
+    return true;
+}
+
+/// In the order in which they are asked.
+constexpr std::array uses{escape, arrow, viewKey, toolKey, transformKey, windowKey, capsuleKey};
+
+} // namespace
+
+bool takesKey(const QKeyEvent& event, const Controller& controller)
+{
+    return controller.held().as<TakesKeys>().wants(event, controller.bench())
+           || beginsTyping(event, controller) || keepsFromShortcuts(event, controller);
+}
+
+bool pressKey(QKeyEvent& event, Controller& controller)
+{
+    if (event.key() == Qt::Key_Space && isPlain(event) && !controller.held().busy()) {
+        controller.pointing().setSpace(true);
+        return true;
+    }
+    if (beginsTyping(event, controller)) {
+        controller.typing().begin(firstTyped(event, true), event.key() == Qt::Key_Tab);
+        return true;
+    }
+    if (keepsFromShortcuts(event, controller))
+        return true;
+    bool used = false;
+    controller.held().use(
+        [&](Tool& tool, Workbench& bench) { used = tool.as<TakesKeys>().key(event, bench); });
+    if (used)
+        controller.typing().steer(); // the key may have changed what is measured
+    return used
+           || std::ranges::any_of(uses, [&](const auto& use) { return use(event, controller); });
+}
+
+bool releaseKey(const QKeyEvent& event, Controller& controller)
+{
+    if (event.key() != Qt::Key_Space || event.isAutoRepeat())
+        return false;
+    controller.pointing().stopPanning();
+    controller.pointing().setSpace(false);
+    return true;
+}
+
+} // namespace ui
