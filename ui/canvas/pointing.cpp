@@ -149,9 +149,8 @@ void Pointing::moveGuide(const QPointF& screen, Qt::KeyboardModifiers modifiers)
     if (!guide_.going())
         return;
     held_.pointer = aim_.withoutTool(screen, modifiers);
-    guide_.proceed(*held_.pointer);
+    held_.use([this](Tool&, Workbench& bench) { guide_.proceed(*held_.pointer, bench); });
     emit moved(held_.pointer->position);
-    emit changed();
 }
 
 void Pointing::dropGuide()
@@ -165,7 +164,7 @@ void Pointing::dropGuide()
 
 void Pointing::cancelGuide()
 {
-    guide_.cancel();
+    held_.use([this](Tool&, Workbench& bench) { guide_.cancel(bench); });
     aim_.forget();
 }
 

@@ -33,7 +33,7 @@ void BoxResize::start(app::Handle handle, const clipping::Window& bounds, const 
                  {at, {1, 1}}, pressed.modifiers};
 }
 
-void BoxResize::proceed(const Pointer& pointer, const Workbench& bench)
+void BoxResize::proceed(const Pointer& pointer, Workbench& bench)
 {
     app::Point to = pointer.position;
     now_->snap.reset();
@@ -58,10 +58,11 @@ app::MovedSnap BoxResize::snap(const State& state, const app::Point& by, const W
                              bench.moved(own, by, state.modifiers, state.objects));
 }
 
-void BoxResize::finish(Workbench& bench)
+bool BoxResize::finish(const Pointer& pointer, Workbench& bench)
 {
-    if (now_)
-        accept(now_->end, bench);
+    proceed(pointer, bench);
+    accept(now_->end, bench);
+    return true;
 }
 
 void BoxResize::accept(const app::GestureEnd& end, Workbench& bench)
@@ -94,12 +95,6 @@ void BoxResize::cancel(Workbench& bench)
     last_.restore(bench);
 }
 
-void BoxResize::end(Workbench& bench)
-{
-    cancel(bench);
-    last_.forget();
-}
-
 void BoxResize::reopen(Workbench& bench)
 {
     if (!last_.reopen(bench))
@@ -115,8 +110,6 @@ app::Point BoxResize::fixed(const State& state)
     const bool centre = anchorOf(state.modifiers) == app::Anchor::Centre;
     return app::placeOf(centre ? app::Handle{} : app::Handle{-x, -y}, state.bounds);
 }
-
-clipping::Window BoxResize::target() const { return target(*now_); }
 
 clipping::Window BoxResize::target(const State& state)
 {
@@ -157,6 +150,8 @@ std::optional<app::Gauge> BoxResize::gauge(const Workbench& bench) const
 
 void BoxResize::paint(QPainter& painter, const Workbench& bench) const
 {
+    if (!now_)
+        return;
     const clipping::Window to = target();
     const app::Placement where = app::fitting(now_->bounds, to);
     paintMapped(painter, bench, {{where.scale.x, 0}, {0, where.scale.y}, now_->bounds.min, to.min});

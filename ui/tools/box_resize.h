@@ -2,30 +2,29 @@
 #pragma once
 
 #include "app/document/object_ranges.h"
-#include "ui/tools/last_step.h"
+#include "ui/tools/drag.h"
 
 namespace ui {
 
 /// Resizes the selection by a handle of its bounding box, which snaps. Shift keeps the proportions,
 /// Alt the centre; typed numbers hold, and change what was just done.
-class BoxResize {
+class BoxResize final : public Drag {
 public:
     void start(app::Handle handle, const clipping::Window& bounds, const Pointer& pressed,
                const Workbench& bench);
-    bool going() const { return now_.has_value(); }
-    bool corrects() const { return last_.isOpen(); } ///< the last step is open again
-    bool canReopen(const Workbench& bench) const { return last_.canReopen(bench); }
-    void proceed(const Pointer& pointer, const Workbench& bench);
-    /// What the handle snaps to; null: nothing is dragged.
-    const app::MovedSnap* snapped() const { return now_ && now_->snap ? &*now_->snap : nullptr; }
-    void finish(Workbench& bench);
-    void accept(const app::GestureEnd& end, Workbench& bench);
-    void cancel(Workbench& bench);
-    void end(Workbench& bench); ///< cancels, and forgets the last step
-    void reopen(Workbench& bench);
-    clipping::Window target() const; ///< the selection's bounds after the drag
-    std::optional<app::Gauge> gauge(const Workbench& bench) const;
-    void paint(QPainter& painter, const Workbench& bench) const;
+    bool going() const override { return now_.has_value(); }
+    void proceed(const Pointer& pointer, Workbench& bench) override;
+    bool finish(const Pointer& pointer, Workbench& bench) override;
+    void cancel(Workbench& bench) override;
+    void paint(QPainter& painter, const Workbench& bench) const override;
+    clipping::Window target() const { return target(*now_); } ///< the bounds after the drag
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override;
+    void accept(const app::GestureEnd& end, Workbench& bench) override;
+    void reopen(Workbench& bench) override;
+    const app::MovedSnap* snapped() const override
+    {
+        return now_ && now_->snap ? &*now_->snap : nullptr;
+    }
 
 private:
     struct State {
@@ -48,7 +47,6 @@ private:
 
     std::optional<State> now_;
     State done_{}; ///< the gesture of the last step
-    LastStep last_;
 };
 
 } // namespace ui

@@ -65,11 +65,6 @@ void EndDrag::start(End end, const Pointer& pointer, Workbench& bench)
         now_ = State{*line, session.inspected(), *objectWithHandles(session), end, pointer.screen};
 }
 
-std::optional<std::size_t> EndDrag::object() const
-{
-    return now_ ? std::optional(now_->object) : std::nullopt;
-}
-
 app::Point EndDrag::fixed(const State& state)
 {
     const auto& [a, b] = state.line;
@@ -105,17 +100,17 @@ bool EndDrag::finish(const Pointer& pointer, Workbench& bench)
 {
     proceed(pointer, bench);
     const bool moved = now_ && now_->moved;
-    moved ? accept(pointer.position, bench) : cancel(bench);
+    moved ? accept({pointer.position, {}}, bench) : cancel(bench);
     return moved;
 }
 
-void EndDrag::accept(const app::Point& point, Workbench& bench)
+void EndDrag::accept(const app::GestureEnd& to, Workbench& bench)
 {
     app::Session& session = bench.session;
     if (!now_ || lineWithHandles(session) != now_->line)
         return cancel(bench);
     State state = *now_;
-    state.to = point;
+    state.to = to.point;
     const clipping::Segment line = moved(state);
     if (line.a == line.b) {
         emit session.refused(Text::tr("The line would have no length. Drag its end elsewhere."));
@@ -142,12 +137,6 @@ void EndDrag::cancel(Workbench& bench)
         return;
     last_.restore(bench);
     bench.session.inspect(done_.inspected);
-}
-
-void EndDrag::end(Workbench& bench)
-{
-    cancel(bench);
-    last_.forget();
 }
 
 void EndDrag::reopen(Workbench& bench)

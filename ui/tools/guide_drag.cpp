@@ -64,10 +64,17 @@ void GuideDrag::start(std::size_t guide, const Workbench& bench)
     screen_ = bench.view.toScreen(app::Point(now_->at));
 }
 
-void GuideDrag::proceed(const Pointer& pointer)
+void GuideDrag::proceed(const Pointer& pointer, Workbench&)
 {
     now_->at = pointer.position[now_->axis];
     screen_ = pointer.screen;
+}
+
+bool GuideDrag::finish(const Pointer& pointer, Workbench& bench)
+{
+    proceed(pointer, bench);
+    finish(bench);
+    return true;
 }
 
 void GuideDrag::finish(Workbench& bench)
@@ -143,14 +150,14 @@ QString GuideDrag::hint(const Workbench& bench) const
         .arg(place);
 }
 
-void GuideDrag::accept(const app::Point& point, Workbench& bench)
+void GuideDrag::accept(const app::GestureEnd& end, Workbench& bench)
 {
     if (!now_) {
         if (!chosen(bench))
             return;
         start(*bench.session.guide, bench);
     }
-    put(point[now_->axis], bench);
+    put(end.point[now_->axis], bench);
 }
 
 void GuideDrag::paint(QPainter& painter, const Workbench& bench) const

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/tool.h"
+#include "ui/tools/drag.h"
+
+#include <utility>
 
 namespace ui {
 
@@ -17,6 +19,27 @@ public:
     static void paint(QPainter& painter, const Workbench& bench, bool near);
     static QPointF rotationHandle(const Workbench& bench); ///< on the screen; something is selected
     static void paintPivot(QPainter& painter, const QPointF& at, const Look& look);
+};
+
+/// Puts the pivot of the selection elsewhere.
+class PivotDrag final : public Drag {
+public:
+    void start() { going_ = true; }
+    bool going() const override { return going_; }
+    void proceed(const Pointer& pointer, Workbench& bench) override
+    {
+        bench.session.pivot.put(pointer.position);
+    }
+    bool finish(const Pointer& pointer, Workbench& bench) override
+    {
+        proceed(pointer, bench);
+        return std::exchange(going_, false);
+    }
+    void cancel(Workbench&) override { going_ = false; }
+    void limit(app::SnapQuery&) const override {}
+
+private:
+    bool going_ = false;
 };
 
 } // namespace ui

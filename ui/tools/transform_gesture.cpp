@@ -55,7 +55,7 @@ app::GestureEnd TransformGesture::atRest(const State& state)
             state.kind->measure(state.axis).values(state.start, state.start.pointer)};
 }
 
-void TransformGesture::proceed(const Pointer& pointer, const Workbench& bench)
+void TransformGesture::proceed(const Pointer& pointer, Workbench& bench)
 {
     if (!now_)
         return;
@@ -78,6 +78,13 @@ void TransformGesture::snap(const Pointer& pointer, const Workbench& bench)
     now_->end.numbers = now_->kind->measure(now_->axis).values(now_->start, now_->end.point);
 }
 
+bool TransformGesture::finish(const Pointer& pointer, Workbench& bench)
+{
+    proceed(pointer, bench);
+    finish(bench);
+    return true;
+}
+
 void TransformGesture::finish(Workbench& bench)
 {
     if (now_)
@@ -95,7 +102,7 @@ void TransformGesture::accept(const app::GestureEnd& end, Workbench& bench)
         state.end.repeat = repeat;
     if (isNothing(state)) { // the last step, if it is open, stays undone
         last_.discard();
-        return TransformGesture::end(bench);
+        return Drag::end(bench);
     }
     if (!push(state, bench))
         return cancel(bench);
@@ -109,12 +116,6 @@ void TransformGesture::cancel(Workbench& bench)
 {
     now_.reset();
     last_.restore(bench);
-}
-
-void TransformGesture::end(Workbench& bench)
-{
-    cancel(bench);
-    last_.forget();
 }
 
 /// The maps of the objects that the step makes: one for each copy.

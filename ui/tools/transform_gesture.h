@@ -3,7 +3,7 @@
 
 #include "app/document/object_ranges.h"
 #include "app/drawing/transformation.h"
-#include "ui/tools/last_step.h"
+#include "ui/tools/drag.h"
 
 #include <QKeyEvent>
 
@@ -11,7 +11,7 @@ namespace ui {
 
 /// Moves, rotates, scales or skews the selection, or copies of it, by a drag or from a key. Typed
 /// numbers hold, and change what was just done.
-class TransformGesture {
+class TransformGesture final : public Drag {
 public:
     /// `pointer`: where the pointer is, in the drawing. `grabbed`: the point that it moves, if the
     /// pivot stays.
@@ -21,25 +21,25 @@ public:
     /// pivot.
     static app::Point grabbedAt(const app::Point& pointer, const app::Point& pivot,
                                 const Workbench& bench);
-    bool going() const { return now_.has_value(); }
-    bool corrects() const { return last_.isOpen(); } ///< the last step is open again
-    void proceed(const Pointer& pointer, const Workbench& bench);
-    /// What the selection, or the point that is grabbed, snaps to; null: nothing follows the
-    /// pointer.
-    const app::MovedSnap* snapped() const { return now_ && now_->snap ? &*now_->snap : nullptr; }
-    void finish(Workbench& bench);
-    void accept(const app::GestureEnd& end, Workbench& bench);
-    void cancel(Workbench& bench);
-    void end(Workbench& bench); ///< cancels, and forgets the last step
+    bool going() const override { return now_.has_value(); }
+    void proceed(const Pointer& pointer, Workbench& bench) override;
+    bool finish(const Pointer& pointer, Workbench& bench) override;
+    void finish(Workbench& bench); ///< where the pointer was last
+    void cancel(Workbench& bench) override;
+    void paint(QPainter& painter, const Workbench& bench) const override;
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override;
+    void accept(const app::GestureEnd& end, Workbench& bench) override;
+    void reopen(Workbench& bench) override;
+    /// What the selection, or the point that is grabbed, snaps to.
+    const app::MovedSnap* snapped() const override
+    {
+        return now_ && now_->snap ? &*now_->snap : nullptr;
+    }
     /// X and Y hold an axis, C makes copies; a second press takes it back. P puts the pivot under
     /// the pointer.
     bool key(const QKeyEvent& event, const Workbench& bench);
     bool wants(const QKeyEvent& event) const;
-
-    std::optional<app::Gauge> gauge(const Workbench& bench) const;
-    void reopen(Workbench& bench);
     QString hint(const Workbench& bench) const; ///< empty: nothing to say
-    void paint(QPainter& painter, const Workbench& bench) const;
 
 private:
     struct State {
@@ -70,7 +70,6 @@ private:
 
     std::optional<State> now_;
     State done_{}; ///< the gesture of the last step
-    LastStep last_;
 };
 
 constexpr std::size_t mostPreviewed = 4000; // lines

@@ -84,14 +84,15 @@ void WindowGesture::proceed(const Pointer& pointer, Workbench& bench)
 
 void WindowGesture::cancel(Workbench& bench)
 {
-    state_.reset();
-    bench.session.setPreview({});
+    if (std::exchange(state_, std::nullopt))
+        bench.session.setPreview({});
 }
 
-void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
+bool WindowGesture::finish(const Pointer& pointer, Workbench& bench)
 {
     follow(pointer, bench);
     push(bench);
+    return true;
 }
 
 void WindowGesture::accept(const app::GestureEnd& end, Workbench& bench)

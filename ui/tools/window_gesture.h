@@ -2,33 +2,26 @@
 #pragma once
 
 #include "app/view/frame_handles.h"
-#include "ui/tools/tool.h"
+#include "ui/tools/drag.h"
 
 namespace ui {
 
 /// A drag of a clip window by a handle, its outline or its interior. Sets the session's preview
 /// during the gesture and pushes one command at its end; typed numbers hold.
-class WindowGesture {
+class WindowGesture final : public Drag {
 public:
     /// On the window that tools act on.
     void start(app::Handle handle, const Pointer& pointer, const Workbench& bench);
-    void proceed(const Pointer& pointer, Workbench& bench);
-    void finish(const Pointer& pointer, Workbench& bench);
-    void cancel(Workbench& bench);
-
+    bool going() const override { return state_.has_value(); }
+    void proceed(const Pointer& pointer, Workbench& bench) override;
+    bool finish(const Pointer& pointer, Workbench& bench) override;
+    void cancel(Workbench& bench) override;
     /// Width and height while a handle is dragged, an angle for the one that rotates, length and
     /// angle of a move.
-    std::optional<app::Gauge> gauge(const Workbench& bench) const;
-    void accept(const app::GestureEnd& end, Workbench& bench);
-
-    bool going() const { return state_.has_value(); }
-    /// The number of the window that is dragged.
-    std::optional<std::size_t> number() const
-    {
-        return state_ ? std::optional(state_->number) : std::nullopt;
-    }
-    /// Where the moved window snaps; null: it is not moved.
-    const app::MovedSnap* snapped() const;
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override;
+    void accept(const app::GestureEnd& end, Workbench& bench) override;
+    void limit(app::SnapQuery& query) const override { query.withoutWindow = state_->number; }
+    const app::MovedSnap* snapped() const override; ///< the whole window, if it is moved
 
 private:
     void follow(const Pointer& pointer, const Workbench& bench);

@@ -30,7 +30,10 @@ public:
     }
     void release(const Pointer& pointer, Workbench& bench) override
     {
-        drawing_ ? drawing_->release(pointer, bench) : gesture_.finish(pointer, bench);
+        if (drawing_)
+            drawing_->release(pointer, bench);
+        else
+            gesture_.finish(pointer, bench);
         forgetDrawn(bench);
     }
     void doubleClick(const Pointer& pointer, Workbench& bench) override
@@ -107,7 +110,8 @@ public:
     {
         if (hoveredHandle_ && !busy())
             query.to = query.to.without("window");
-        query.withoutWindow = gesture_.number();
+        if (gesture_.going())
+            gesture_.limit(query);
     }
     const app::MovedSnap* snapped() const override { return gesture_.snapped(); }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
