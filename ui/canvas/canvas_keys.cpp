@@ -4,6 +4,7 @@
 #include "app/commands/move_objects.h"
 #include "app/session/window_operations.h"
 #include "app/session/window_steps.h"
+#include "ui/canvas/typing_keys.h"
 #include "ui/canvas/view_commands.h"
 #include "ui/editing/keeping.h"
 #include "ui/tools/group_choice.h"
@@ -22,44 +23,6 @@ bool isPlain(const QKeyEvent& event) { return !(event.modifiers() & ~Qt::KeypadM
 bool isEnter(const QKeyEvent& event)
 {
     return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
-}
-
-/// The text with which typing begins; empty: the key types no number.
-QString firstTyped(const QKeyEvent& event, bool points)
-{
-    // Shift+2 and Shift+3 fit the view, unless a point can begin here.
-    const QString first =
-        points ? QStringLiteral("0123456789.,-+<@#(") : QStringLiteral("0123456789.,-+<(");
-    const auto others =
-        ~Qt::KeyboardModifiers(Qt::ShiftModifier | Qt::KeypadModifier | Qt::GroupSwitchModifier);
-    if (event.text().size() != 1 || (event.modifiers() & others))
-        return {};
-    return first.contains(event.text().front()) ? event.text() : QString();
-}
-
-/// Enter opens the numbers of what was just done, also where digits have another use.
-bool beginsTyping(const QKeyEvent& event, const Controller& controller)
-{
-    if (!controller.typing().takesNumbers())
-        return false;
-    const bool busy = controller.held().busy(), goes = controller.gestureGoes();
-    const bool opens = goes ? busy && event.key() == Qt::Key_Tab : isEnter(event);
-    if (opens && isPlain(event))
-        return true;
-    const auto points = controller.typing().readout()->gauge().measure->points;
-    const bool point = busy || points == app::GestureMeasure::Points::Absolute;
-    const QString first = firstTyped(event, point);
-    // A sign says what the chosen clip window does, where digits choose its algorithm.
-    const bool sign = first == u"+" || first == u"-";
-    const bool forWindow = sign && controller.actsOnWindow() && !goes;
-    return !first.isEmpty() && !forWindow
-           && (!first.front().isDigit() || controller.digitUse() == app::DigitUse::Number);
-}
-
-/// A number typed during a gesture that takes none does nothing: it must not choose the algorithm.
-bool keepsFromShortcuts(const QKeyEvent& event, const Controller& controller)
-{
-    return controller.gestureGoes() && !firstTyped(event, false).isEmpty();
 }
 
 /// Backs out one level: first the gesture, then the group, then the selection, then the tool.
@@ -189,7 +152,7 @@ bool pressKey(QKeyEvent& event, Controller& controller)
         return true;
     }
     if (beginsTyping(event, controller)) {
-        controller.typing().begin(firstTyped(event, true), event.key() == Qt::Key_Tab);
+        beginTyping(event, controller);
         return true;
     }
     if (keepsFromShortcuts(event, controller))
