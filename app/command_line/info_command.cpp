@@ -8,6 +8,7 @@
 #include "app/document/contents.h"
 #include "app/document/flatten.h"
 #include "app/document/hidden_objects.h"
+#include "app/document/window_operations.h"
 #include "app/formats/coordinates.h"
 #include "app/formats/painted.h"
 
@@ -140,21 +141,19 @@ QString shapeText(const WindowShape& shape)
                                  shortestText(withoutNoise(angle * 180 / std::numbers::pi)));
 }
 
-QString operationText(WindowOperation operation)
-{
-    return operation == WindowOperation::Add      ? Text::tr("adds")
-           : operation == WindowOperation::CutOut ? Text::tr("cuts out")
-                                                  : Text::tr("intersects");
-}
-
 // A window that is only a rectangle is described by its numbers alone.
-QString windowText(const ClipWindow& window, bool only)
+QString windowText(const ClipWindows& windows, std::size_t number)
 {
+    const ClipWindow& window = windows.list[number];
+    const bool only = windows.list.size() == 1;
     QString text = window.name.isEmpty() ? QString() : Text::tr("“%1”: ").arg(window.name);
     text += shapeText(window.shape);
     if (!only || window.operation != WindowOperation::Add)
-        text += QStringLiteral(", ") + operationText(window.operation);
-    return window.visible ? text : text + Text::tr(", hidden");
+        text += QStringLiteral(", ") + infoOf(window.operation).verb;
+    return text
+           + (!window.visible              ? Text::tr(", hidden")
+              : replacing(windows, number) ? Text::tr(", without effect: a later one replaces it")
+                                           : QString());
 }
 
 Rows windowRows(const ClipWindows& windows)
@@ -162,8 +161,8 @@ Rows windowRows(const ClipWindows& windows)
     if (windows.list.empty())
         return {{Text::tr("window"), Text::tr("none")}};
     Rows rows;
-    for (const ClipWindow& window : windows.list)
-        rows.emplace_back(Text::tr("window"), windowText(window, windows.list.size() == 1));
+    for (std::size_t number = 0; number < windows.list.size(); ++number)
+        rows.emplace_back(Text::tr("window"), windowText(windows, number));
     if (windows.keep == Keep::Outside)
         rows.emplace_back(Text::tr("keep"), Text::tr("outside"));
     return rows;

@@ -6,6 +6,7 @@
 #include "app/command_line/command.h"
 #include "app/command_line/drawing_numbers.h"
 #include "app/command_line/window_forms.h"
+#include "app/document/window_operations.h"
 #include "app/formats/coordinates.h"
 #include "app/scene/area_windows.h"
 #include "app/scene/compared_window.h"
@@ -24,7 +25,8 @@ constexpr struct {
 } givers[]{{"window", WindowOperation::Add},
            {"page", WindowOperation::Add},
            {"cut-out", WindowOperation::CutOut},
-           {"intersect", WindowOperation::Intersect}};
+           {"intersect", WindowOperation::Intersect},
+           {"replace", WindowOperation::Replace}};
 
 std::vector<GivenValue> given(const ParsedArguments& arguments)
 {
@@ -89,9 +91,12 @@ ClipWindows givenWindows(const ParsedArguments& arguments, const Imported& impor
             givers, value.option, [](const auto& each) { return QLatin1StringView(each.option); });
         auto shapes = givenShapes(value, arguments, imported);
         uniteIfNeeded(shapes, value, imported.document.page());
+        WindowOperation operation = giver->operation;
         for (ClipWindow& window : shapes) {
-            window.operation = giver->operation;
+            window.operation = operation;
             windows.list.push_back(std::move(window));
+            if (operation == WindowOperation::Replace)
+                operation = WindowOperation::Add; // or each would replace the shape before it
         }
     }
     if (windows.list.size() > ClipWindows::most)
@@ -135,7 +140,11 @@ std::vector<Option> shapedWindowOptions()
         {{"cut-out"}, "WINDOW", Text::tr("Cut this window out of what those before it keep.")},
         {{"intersect"},
          "WINDOW",
-         Text::tr("Keep only what this window and those before it have in common.")}};
+         Text::tr("Keep only what this window and those before it have in common.")},
+        {{"replace"},
+         "WINDOW",
+         Text::tr("Let this window take the place of those before it, which have no effect "
+                  "then.")}};
     options.insert(options.begin() + 1, more.begin(), more.end());
     return options;
 }
@@ -190,13 +199,6 @@ ClipWindows windowsOf(const ParsedArguments& arguments, const Imported& imported
 
 namespace {
 
-QString stepPhrase(WindowOperation operation)
-{
-    return operation == WindowOperation::Add      ? Text::tr("add %1")
-           : operation == WindowOperation::CutOut ? Text::tr("cut out %1")
-                                                  : Text::tr("intersect %1");
-}
-
 QString stepText(const ClipRegion::Step& step, const Imported& imported)
 {
     if (!(step.box.min.x <= step.box.max.x))
@@ -237,7 +239,7 @@ QString windowText(const ParsedArguments& arguments, const Imported& imported,
             .arg(source, stepText(region.steps.front(), imported), keeps);
     QStringList steps;
     for (const ClipRegion::Step& step : region.steps)
-        steps << stepPhrase(step.operation).arg(stepText(step, imported));
+        steps << infoOf(step.operation).phrase.arg(stepText(step, imported));
     return Text::tr("Windows (%1): %2%3.").arg(source, steps.join(QStringLiteral("; ")), keeps);
 }
 

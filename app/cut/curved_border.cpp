@@ -28,31 +28,30 @@ bool isStraight(const Bezier& curve)
 bool isBorder(const ClipWindow& window, CurvedBorder::Sides sides)
 {
     const auto* shape = std::get_if<PathShape>(&window.shape);
-    return window.visible && shape
-           && (sides == CurvedBorder::Sides::Yes || !shape->path.straight());
+    return shape && (sides == CurvedBorder::Sides::Yes || !shape->path.straight());
 }
 
 } // namespace
 
 CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page, double near, Sides sides)
-    : windows_(windows), near_(near > 0 ? near : millimetres / page.millimetresPerUnit())
+    : windows_(inEffect(windows)), near_(near > 0 ? near : millimetres / page.millimetresPerUnit())
 {
     tolerance_ = std::min(near_ / 2, windowMillimetres / page.millimetresPerUnit());
     std::vector<const Path*> borders;
-    for (const ClipWindow& window : windows.list)
+    for (const ClipWindow& window : windows_.list)
         if (isBorder(window, sides))
             borders.push_back(&std::get<PathShape>(window.shape).path);
     findEllipses(borders);
-    for (std::size_t i = 0; i < windows.list.size(); ++i)
-        if (isBorder(windows.list[i], sides)) {
+    for (std::size_t i = 0; i < windows_.list.size(); ++i)
+        if (isBorder(windows_.list[i], sides)) {
             withRings_.push_back(i);
-            add(std::get<PathShape>(windows.list[i].shape), i);
+            add(std::get<PathShape>(windows_.list[i].shape), i);
         }
     makeIndex();
     if (withRings_.size() > 1)
         divideAtEndsOfWindows();
     addSides();
-    if (windows.list.size() > 1)
+    if (windows_.list.size() > 1)
         divideWhereWindowsCross();
     if (sides == Sides::No)
         sides_.clear(), sidesAt_ = {};
@@ -85,7 +84,7 @@ void CurvedBorder::addSides()
 {
     for (const ClipWindow& window : windows_.list) {
         const auto* shape = std::get_if<PathShape>(&window.shape);
-        if (!window.visible || (shape && !shape->path.straight()))
+        if (shape && !shape->path.straight())
             continue;
         for (const auto& ring : outlineOf(window.shape, tolerance_).rings)
             for (std::size_t i = 0; i < ring.size(); ++i)

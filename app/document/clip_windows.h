@@ -34,8 +34,9 @@ struct PathShape {
 };
 using WindowShape = std::variant<RectangleShape, PathShape>;
 
-/// How a clip window combines with the result of the windows before it.
-enum class WindowOperation : std::uint8_t { Add, CutOut, Intersect };
+/// How a clip window combines with the result of the windows before it. One that replaces drops
+/// that result: from here on it alone counts.
+enum class WindowOperation : std::uint8_t { Add, CutOut, Intersect, Replace };
 /// Which side of the clip windows is kept.
 enum class Keep : std::uint8_t { Inside, Outside };
 
@@ -50,8 +51,8 @@ struct ClipWindow {
 };
 
 /// All clip windows of a document. The visible windows are applied from first to last, starting
-/// with nothing if the first one adds, else with everything. `keep` is applied last. Without a
-/// visible window nothing is cut, whatever `keep` is.
+/// with nothing if the first one adds or replaces, else with everything. `keep` is applied last.
+/// Without a visible window nothing is cut, whatever `keep` is.
 struct ClipWindows {
     static constexpr std::size_t most = 1000; ///< the code that adds windows enforces it
 
@@ -65,6 +66,14 @@ inline bool cuts(const ClipWindows& windows)
 {
     return std::ranges::any_of(windows.list, &ClipWindow::visible);
 }
+
+/// The numbers of the windows that have an effect, in order: the last visible one that replaces and
+/// the visible ones after it, or else all visible ones. The steps of a region are these.
+std::vector<std::size_t> numbersInEffect(const ClipWindows& windows);
+/// These windows alone. They keep the same, and none replaces: the first one adds instead.
+ClipWindows inEffect(const ClipWindows& windows);
+/// The number of the window that takes all effect from this visible one; empty: none does.
+std::optional<std::size_t> replacing(const ClipWindows& windows, std::size_t number);
 
 /// The box of a rectangle that is not rotated; empty for any other shape.
 inline std::optional<clipping::Window> axisAlignedBox(const WindowShape& shape)

@@ -104,14 +104,14 @@ std::vector<Subject> subjects()
 
 namespace {
 
-/// The first visible clip window that is a rotated rectangle or a convex polygon.
+/// The first clip window with an effect that is a rotated rectangle or a convex polygon.
 std::shared_ptr<const ShapedWindow> firstShape(const Document& document)
 {
-    for (const ClipWindow& window : document.windows().list)
-        if (window.visible)
-            if (auto shape = shapedWindow({.shape = window.shape}, document.page());
-                shape && refusalOf(*shape).isEmpty())
-                return shape;
+    const ClipWindows counting = inEffect(document.windows());
+    for (const ClipWindow& window : counting.list)
+        if (auto shape = shapedWindow({.shape = window.shape}, document.page());
+            shape && refusalOf(*shape).isEmpty())
+            return shape;
     return nullptr;
 }
 

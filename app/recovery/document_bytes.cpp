@@ -135,7 +135,7 @@ ClipWindows readWindows(ByteReader& in)
             window.shape = shapeOf(paths.object(in));
         else
             window.shape = in.get<RectangleShape>();
-        window.operation = in.choice(WindowOperation::Intersect);
+        window.operation = in.choice(WindowOperation::Replace);
         window.visible = in.flag();
         if (in.flag())
             window.colour = in.get<Colour>();

@@ -10,24 +10,20 @@ std::optional<std::size_t> actedOn(const ClipWindows& windows, std::size_t chose
     const auto& list = windows.list;
     if (chosen < list.size() && list[chosen].visible)
         return chosen;
-    const auto visible = std::ranges::find_if(list, &ClipWindow::visible);
-    return visible == list.end() ? std::nullopt : std::optional(visible - list.begin());
+    const auto numbers = numbersInEffect(windows);
+    return numbers.empty() ? std::nullopt : std::optional(numbers.front());
 }
 
 ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page,
                               std::optional<std::size_t> first)
 {
-    const auto at = [&](std::size_t number) -> std::optional<ComparedWindow> {
-        const ClipWindow& window = windows.list[number];
-        const auto box = window.visible ? axisAlignedBox(window.shape) : std::nullopt;
-        return box ? std::optional(ComparedWindow{.window = *box, .number = number}) : std::nullopt;
-    };
-    if (const auto chosen = first ? at(*first) : std::nullopt)
-        return *chosen;
-    for (std::size_t number = 0; number < windows.list.size(); ++number)
-        if (const auto found = at(number))
-            return *found;
-    const bool cut = std::ranges::any_of(windows.list, &ClipWindow::visible);
+    std::vector<std::size_t> numbers = numbersInEffect(windows);
+    const bool cut = !numbers.empty();
+    if (first && std::ranges::binary_search(numbers, *first))
+        numbers.insert(numbers.begin(), *first);
+    for (const std::size_t number : numbers)
+        if (const auto box = axisAlignedBox(windows.list[number].shape))
+            return {.window = *box, .number = number};
     return {.window = page.rectangle(), .isPage = true, .comparable = !cut};
 }
 

@@ -24,11 +24,11 @@ struct ComparedWindow {
 };
 
 /// The number of the clip window that tools and panels act on: the chosen one if it is visible,
-/// else the first visible one, if any.
+/// else the first one that has an effect, if any.
 std::optional<std::size_t> actedOn(const ClipWindows& windows, std::size_t chosen);
 
-/// The window with the number `first` if it is a visible axis-aligned rectangle, else the first one
-/// that is, regardless of its operation; otherwise the page.
+/// The window with the number `first` if it is an axis-aligned rectangle and has an effect, else
+/// the first one that is and has, regardless of its operation; otherwise the page.
 ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page,
                               std::optional<std::size_t> first = {});
 

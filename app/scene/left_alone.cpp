@@ -19,10 +19,9 @@ std::vector<std::size_t> leftAlone(const ClipRegion& region, const Variant& vari
 
 ClipWindows without(ClipWindows windows, std::span<const std::size_t> steps)
 {
-    std::size_t step = 0;
-    for (ClipWindow& window : windows.list)
-        if (window.visible && std::ranges::binary_search(steps, step++))
-            window.shape = RectangleShape{{{1, 1}, {0, 0}}};
+    const auto numbers = numbersInEffect(windows);
+    for (const std::size_t step : steps)
+        windows.list[numbers[step]].shape = RectangleShape{{{1, 1}, {0, 0}}};
     return windows;
 }
 

@@ -149,9 +149,9 @@ void prepare(ClipRegion& region)
 ClipRegion regionOf(const ClipWindows& windows, const Outlines& outlines)
 {
     ClipRegion region{{}, windows.keep};
-    for (const ClipWindow& window : windows.list)
-        if (window.visible)
-            region.steps.push_back(stepOf(window, outlines));
+    const ClipWindows counting = inEffect(windows);
+    for (const ClipWindow& window : counting.list)
+        region.steps.push_back(stepOf(window, outlines));
     prepare(region);
     return region;
 }

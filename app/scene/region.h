@@ -53,8 +53,8 @@ private:
 /// `clipping::outsideAll`. A window without area contains nothing, alone or beside others.
 struct ClipRegion {
     struct Step {
-        clipping::Window box; ///< contains nothing if `min > max` or a number is not finite
-        WindowOperation operation;
+        clipping::Window box;      ///< contains nothing if `min > max` or a number is not finite
+        WindowOperation operation; ///< never Replace: what a window replaces is no step
         /// The border of a window that is not an axis-aligned rectangle; `box` is its bounding box
         /// then.
         std::vector<std::vector<Point>> rings{};
@@ -100,8 +100,8 @@ ClipRegion withKeep(ClipRegion region, Keep keep);
 /// rectangle.
 inline constexpr clipping::Edge borderEdge = clipping::Edge::Near;
 
-/// The region of the visible windows. Curves become inscribed polygons, no farther than `tolerance`
-/// (user units, > 0) from them.
+/// The region of the windows that have an effect. Curves become inscribed polygons, no farther than
+/// `tolerance` (user units, > 0) from them.
 ClipRegion regionOf(const ClipWindows& windows, double tolerance);
 /// The same of a drawing's windows with the usual tolerance, 0.01 mm on paper.
 ClipRegion regionOf(const ClipWindows& windows, const Page& page);

@@ -47,10 +47,8 @@ struct Pen {
 
 /// What the tool Clip window draws next: not part of the document.
 struct WindowPen {
-    enum class Use : std::uint8_t { Add, CutOut, Intersect, Replace };
-
-    std::string_view kind = "rectangle"; ///< key of the shape (window_kinds.h)
-    Use use = Use::Add; ///< what the new window does; Replace: it takes the chosen one's place
+    std::string_view kind = "rectangle";              ///< key of the shape (window_kinds.h)
+    WindowOperation operation = WindowOperation::Add; ///< of the new window
 };
 
 /// How commands on the selection work: not part of the document.

@@ -11,16 +11,17 @@
 
 namespace app {
 
-// The region has a step for each visible window.
+// The region has a step for each window that has an effect.
 const ClipRegion::Step* stepInHand(const Session& session)
 {
     const auto number = session.windowNumber();
     if (!number)
         return nullptr;
-    const auto begin = session.windows().list.begin();
-    const auto before = std::count_if(begin, begin + std::ptrdiff_t(*number),
-                                      [](const auto& w) { return w.visible; });
-    return &session.region().steps[std::size_t(before)];
+    const auto numbers = numbersInEffect(session.windows());
+    const auto found = std::ranges::lower_bound(numbers, *number);
+    if (found == numbers.end() || *found != *number)
+        return nullptr;
+    return &session.region().steps[std::size_t(found - numbers.begin())];
 }
 
 WindowNeeds needsInHand(const Session& session)
@@ -33,9 +34,9 @@ std::vector<NamedNeeds> needsByName(const Session& session)
 {
     std::vector<NamedNeeds> all;
     const auto& steps = session.region().steps;
-    for (const ClipWindow& window : session.windows().list)
-        if (window.visible && all.size() < steps.size())
-            all.push_back({nameOf(window), needsOf(steps[all.size()])});
+    for (const std::size_t number : numbersInEffect(session.windows()))
+        if (all.size() < steps.size())
+            all.push_back({nameOf(session.windows().list[number]), needsOf(steps[all.size()])});
     return all;
 }
 

@@ -8,13 +8,14 @@ namespace app {
 
 // The clip window that panels act on, as far as algorithms are concerned.
 
-/// The window among the region's steps; null without a visible window.
+/// The window among the region's steps; null without a visible window, and for one without effect.
 const ClipRegion::Step* stepInHand(const Session& session);
 /// What it demands of an algorithm; a rectangle if there is none, since then nothing is cut.
 WindowNeeds needsInHand(const Session& session);
-/// The needs of each visible window, with its name, in the order of the windows.
+/// The needs of each window that has an effect, with its name, in the order of the windows.
 std::vector<NamedNeeds> needsByName(const Session& session);
-/// "for Star: concave, 10 edges", "for a window: rectangle"; empty without a window.
+/// "for Star: concave, 10 edges", "for a window: rectangle"; empty without a window, and for one
+/// without effect.
 QString headingInHand(const Session& session);
 
 /// The variant that clips the drawing, whatever is chosen.

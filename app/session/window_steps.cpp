@@ -5,11 +5,11 @@
 #include "app/base/text.h"
 #include "app/commands/add_and_remove.h"
 #include "app/commands/set_page_parts.h"
+#include "app/document/window_operations.h"
 #include "app/document/window_shape.h"
 #include "app/session/arrange_selection.h"
 #include "app/session/selection_style.h"
 #include "app/session/units.h"
-#include "app/session/window_operations.h"
 #include "app/session/window_words.h"
 
 #include <algorithm>
@@ -66,52 +66,27 @@ void setWindowPen(Session& session, const WindowPen& pen)
     emit session.displayChanged(); // bars and tools show it
 }
 
-static WindowOperation operationOf(WindowPen::Use use)
-{
-    using Use = WindowPen::Use;
-    return use == Use::CutOut      ? WindowOperation::CutOut
-           : use == Use::Intersect ? WindowOperation::Intersect
-                                   : WindowOperation::Add;
-}
-
-// While it is drawn, the drawn window is in the preview, and it is the window that tools act on.
-static std::optional<std::size_t> replacedBy(const Session& session)
-{
-    return session.windowPen.use == WindowPen::Use::Replace
-               ? numberIn(session.now().windows(), session)
-               : std::nullopt;
-}
-
+// While it is drawn, the drawn window is in the preview.
 DrawnWindow withDrawn(const Session& session, const WindowShape& shape)
 {
     ClipWindows windows = session.now().windows();
-    const auto replaced = replacedBy(session);
-    const std::size_t number = replaced.value_or(windows.list.size());
-    if (replaced)
-        windows.list[number] = reshaped(windows.list[number], shape);
-    else
-        windows.list.push_back({.name = numberedName(shape, numberForNew(windows)),
-                                .shape = shape,
-                                .operation = operationOf(session.windowPen.use)});
+    const std::size_t number = windows.list.size();
+    windows.list.push_back({.name = numberedName(shape, numberForNew(windows)),
+                            .shape = shape,
+                            .operation = session.windowPen.operation});
     return {std::move(windows), number};
 }
 
 WindowPen penAfter(WindowPen pen)
 {
-    if (pen.use != WindowPen::Use::Replace)
-        pen.use = WindowPen::Use::Add;
+    pen.operation = WindowOperation::Add;
     return pen;
 }
 
 void drawWindow(Session& session, const WindowShape& shape)
 {
-    if (replacedBy(session)) {
-        pushWindows(session, withDrawn(session, shape).windows, Text::tr("Draw clip window"));
-        return;
-    }
-    if (!addWindow(session, {.shape = shape, .operation = operationOf(session.windowPen.use)}))
-        return;
-    setWindowPen(session, penAfter(session.windowPen));
+    if (addWindow(session, {.shape = shape, .operation = session.windowPen.operation}))
+        setWindowPen(session, penAfter(session.windowPen));
 }
 
 bool chooseNeighbour(Session& session, int step)
@@ -206,9 +181,14 @@ void changeWindow(Session& session, std::size_t number, const QString& text,
 void setWindowOperation(Session& session, std::size_t number, WindowOperation operation)
 {
     const auto& list = session.now().windows().list;
-    if (number < list.size() && list[number].operation != operation)
-        changeWindow(session, number, infoOf(operation).step.arg(nameOf(list[number])),
-                     [operation](ClipWindow& window) { window.operation = operation; });
+    if (number >= list.size() || list[number].operation == operation)
+        return;
+    if (const QString why = whyNot(session.now().windows(), number, operation); !why.isEmpty()) {
+        emit session.refused(why);
+        return;
+    }
+    changeWindow(session, number, infoOf(operation).step.arg(nameOf(list[number])),
+                 [operation](ClipWindow& window) { window.operation = operation; });
 }
 
 std::vector<ClipWindow> windowsOfSelection(const Session& session)
@@ -223,11 +203,14 @@ std::vector<ClipWindow> windowsOfSelection(const Session& session)
     return windows;
 }
 
-void addWindowsOfSelection(Session& session, WindowPen::Use use)
+void addWindowsOfSelection(Session& session, WindowOperation operation)
 {
     auto made = windowsOfSelection(session);
-    for (ClipWindow& window : made)
-        window.operation = operationOf(use);
+    for (ClipWindow& window : made) {
+        window.operation = operation;
+        if (operation == WindowOperation::Replace)
+            operation = WindowOperation::Add; // or each would replace the one before it
+    }
     const std::size_t all = session.selection().size(), count = made.size();
     if (made.empty()) {
         emit session.refused(

@@ -25,7 +25,7 @@ struct DrawnWindow {
     std::size_t number;
 };
 DrawnWindow withDrawn(const Session& session, const WindowShape& shape);
-/// The pen after a window was drawn with it: the next one adds, or replaces as before.
+/// The pen after a window was drawn with it: the next one adds.
 WindowPen penAfter(WindowPen pen);
 /// Draws it, and chooses it; then the pen is `penAfter`. Refused if there is no room for it.
 void drawWindow(Session& session, const WindowShape& shape);
@@ -47,13 +47,14 @@ void reorderWindow(Session& session, std::size_t from, std::size_t to);
 void changeWindow(Session& session, std::size_t number, const QString& text,
                   const std::function<void(ClipWindow&)>& change);
 
-/// Sets the operation of a window. The step is called "Cut out Star 2".
+/// Sets the operation of a window. The step is called "Cut out Star 2". The first window can only
+/// add: anything else is refused by `Session::refused`.
 void setWindowOperation(Session& session, std::size_t number, WindowOperation operation);
 
 /// One clip window for each selected object that encloses an area. Open paths are closed.
 std::vector<ClipWindow> windowsOfSelection(const Session& session);
 /// Adds them in one step. `Session::refused` says how many objects were left out, and why.
-void addWindowsOfSelection(Session& session, WindowPen::Use use = WindowPen::Use::Add);
+void addWindowsOfSelection(Session& session, WindowOperation operation = WindowOperation::Add);
 /// Adds the window's shape as an object of the current layer, in the pen's style, and selects it.
 void windowToPath(Session& session);
 

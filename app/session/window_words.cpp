@@ -3,7 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/comparison/differences_at.h"
-#include "app/session/window_operations.h"
+#include "app/document/window_operations.h"
 
 #include <QCoreApplication>
 
@@ -96,22 +96,39 @@ std::string_view iconOf(const ObjectView& object)
 QString resultOf(const ClipWindows& windows)
 {
     QString text;
-    const auto end = windows.list.end();
-    for (auto window = windows.list.begin(); window != end;) {
+    const ClipWindows counting = inEffect(windows);
+    const auto end = counting.list.end();
+    for (auto window = counting.list.begin(); window != end;) {
         const QString name = nameOf(*window);
-        int count = 0; // of neighbours that read the same
         const WindowOperation operation = window->operation;
-        for (; window != end && window->operation == operation && nameOf(*window) == name; ++window)
-            count += window->visible;
-        if (count == 0)
-            continue;
+        const auto next = std::find_if(window, end, [&](const ClipWindow& other) {
+            return other.operation != operation || nameOf(other) != name;
+        });
         if (text.isEmpty() && operation != WindowOperation::Add)
             text = Text::tr("everything");
         if (!text.isEmpty())
             text += u' ' + infoOf(operation).sign + u' ';
+        const auto count = next - window; // of neighbours that read the same
         text += count == 1 ? name : Text::tr("%1 × %2").arg(count).arg(name);
+        window = next;
     }
     return text;
+}
+
+QString replacedText(const ClipWindows& windows, std::size_t number)
+{
+    const auto other = replacing(windows, number);
+    return other ? Text::tr("without effect: %1 replaces it").arg(nameOf(windows.list[*other]))
+                 : QString();
+}
+
+QString whyNot(const ClipWindows& windows, std::size_t number, WindowOperation operation)
+{
+    const bool adds = operation == WindowOperation::Add;
+    const ClipWindow& window = windows.list[number];
+    return number > 0 || adds || window.operation == operation
+               ? QString()
+               : Text::tr("%1 is the first window, so it can only add.").arg(nameOf(window));
 }
 
 QString comparedName(const Session& session)

@@ -24,9 +24,14 @@ QString nameOf(const ObjectView& object);
 std::string_view iconOf(const WindowShape& shape);
 std::string_view iconOf(const ObjectView& object);
 
-/// What the visible windows make together: "Old town − Market hall + Star"; "everything −
-/// Market hall" if the first one does not add. Empty without a visible window.
+/// What the windows that have an effect make together: "Old town − Market hall + Star"; "everything
+/// − Market hall" if the first one does not add. Empty without a visible window.
 QString resultOf(const ClipWindows& windows);
+/// "without effect: Star 2 replaces it"; empty for any other window.
+QString replacedText(const ClipWindows& windows, std::size_t number);
+/// Why a window cannot get an operation: "Star 2 is the first window, so it can only add."; empty
+/// if it can, or has it.
+QString whyNot(const ClipWindows& windows, std::size_t number, WindowOperation operation);
 
 // Where the algorithms of an open drawing are compared, in words.
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/window_options.h"
 
+#include "app/document/window_operations.h"
 #include "app/session/window_kinds.h"
 #include "app/session/window_steps.h"
 #include "ui/canvas/canvas.h"
@@ -32,25 +33,30 @@ std::vector<std::string_view> shapeIcons()
     return keys;
 }
 
+Segments* useSegments()
+{
+    QStringList names, tips;
+    std::vector<std::string_view> icons;
+    for (const app::WindowOperationInfo& each : app::windowOperations()) {
+        names << each.name;
+        tips << Text::tr("The next window: %1").arg(each.name);
+        icons.push_back(each.icon);
+    }
+    auto* segments = new Segments(Text::tr("What the next window does"), names);
+    segments->setIcons(icons);
+    segments->setTips(tips);
+    return segments;
+}
+
 } // namespace
 
 WindowOptions::WindowOptions(app::Session& session, Canvas& canvas)
     : session_(session), shape_(new Segments(Text::tr("Shape of the next window"), shapeNames())),
-      use_(new Segments(
-          Text::tr("What the next window does"),
-          {Text::tr("Add"), Text::tr("Cut out"), Text::tr("Intersect"), Text::tr("Replace")})),
-      fromSelection_(new QToolButton)
+      use_(useSegments()), fromSelection_(new QToolButton)
 {
     shape_->setObjectName(QStringLiteral("window-shapes"));
     shape_->setIcons(shapeIcons());
     use_->setObjectName(QStringLiteral("window-use"));
-    use_->setIcons({"window-add", "window-cut-out", "window-intersect", "window-replace"});
-    use_->setTips(
-        {Text::tr("The next window adds to the others"),
-         Text::tr("The next window cuts out of the others; it may begin inside one"),
-         Text::tr("Only what the next window has in common with the others is kept; it may "
-                  "begin inside one"),
-         Text::tr("The next window takes the place of the chosen one")});
     fromSelection_->setText(Text::tr("From selection"));
     fromSelection_->setObjectName(QStringLiteral("window-from-selection"));
     fromSelection_->setProperty("framed", true);
@@ -70,12 +76,12 @@ WindowOptions::WindowOptions(app::Session& session, Canvas& canvas)
     });
     connect(use_, &Segments::picked, this, [this, focusCanvas](int index) {
         app::WindowPen pen = session_.windowPen;
-        pen.use = app::WindowPen::Use(index);
+        pen.operation = app::WindowOperation(index);
         app::setWindowPen(session_, pen);
         focusCanvas();
     });
     connect(fromSelection_, &QToolButton::clicked, this, [this, focusCanvas] {
-        app::addWindowsOfSelection(session_, session_.windowPen.use);
+        app::addWindowsOfSelection(session_, session_.windowPen.operation);
         app::setWindowPen(session_, app::penAfter(session_.windowPen));
         focusCanvas();
     });
@@ -90,7 +96,7 @@ void WindowOptions::follow()
     const auto kinds = app::windowKinds();
     const auto kind = std::ranges::find(kinds, session_.windowPen.kind, &app::WindowKind::key);
     shape_->choose(int(kind - kinds.begin()));
-    use_->choose(int(session_.windowPen.use));
+    use_->choose(int(session_.windowPen.operation));
 }
 
 void WindowOptions::followSelection()

@@ -2,7 +2,7 @@
 #include "ui/canvas/canvas_keys.h"
 
 #include "app/commands/move_objects.h"
-#include "app/session/window_operations.h"
+#include "app/document/window_operations.h"
 #include "app/session/window_steps.h"
 #include "ui/canvas/typing_keys.h"
 #include "ui/canvas/view_commands.h"

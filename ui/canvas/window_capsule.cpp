@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/window_capsule.h"
 
-#include "app/session/window_operations.h"
+#include "app/document/window_operations.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "ui/canvas/window_overlay.h"
@@ -75,6 +75,7 @@ QToolButton* WindowCapsule::makeOperations()
     button->setPopupMode(QToolButton::InstantPopup);
     button->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     auto* menu = new QMenu(button);
+    menu->setToolTipsVisible(true);
     for (const app::WindowOperationInfo& each : app::windowOperations()) {
         QAction* action = menu->addAction(icon(each.icon), tipOf(each));
         action->setCheckable(true);
@@ -141,6 +142,13 @@ void WindowCapsule::showValues()
     const app::Session& session = controller().session();
     const app::ClipWindow& window = session.windows().list[*session.windowNumber()];
     setAccessibleName(Text::tr("%1, clip window").arg(app::nameOf(window)));
+    for (const app::WindowOperationInfo& each : app::windowOperations()) {
+        const QString why = app::whyNot(session.windows(), *session.windowNumber(), each.operation);
+        operation_->setReason(int(each.operation), why);
+        QAction* action = operationChoice_->actions().at(int(each.operation));
+        action->setEnabled(why.isEmpty());
+        action->setToolTip(why);
+    }
     operation_->choose(int(window.operation));
     QAction* chosen = operationChoice_->actions().at(int(window.operation));
     chosen->setChecked(true);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/window_overlay.h"
 
+#include "app/document/window_operations.h"
 #include "app/document/window_outline.h"
+#include "app/document/window_shape.h"
 #include "app/scene/area_windows.h"
 #include "app/scene/window_needs.h"
-#include "app/session/window_operations.h"
+#include "app/session/window_in_hand.h"
 #include "app/view/frame_handles.h"
 #include "app/view/window_borders.h"
 #include "ui/canvas/left_alone_mark.h"
@@ -108,14 +110,14 @@ void setDashes(QPen& pen, app::WindowOperation operation)
         pen.setDashPattern(pattern);
 }
 
-/// Calls `visit(number, step)` for the visible windows, and the steps of the region that they are.
+/// Calls `visit(number, step)` for the windows that have an effect, and the steps of the region
+/// that they are.
 template <class Visit>
-void forEachVisible(const app::Session& session, const Visit& visit)
+void forEachStep(const app::Session& session, const Visit& visit)
 {
-    const auto& list = session.windows().list;
-    for (std::size_t i = 0, step = 0; i < list.size(); ++i)
-        if (list[i].visible)
-            visit(i, step++);
+    std::size_t step = 0;
+    for (const std::size_t number : app::numbersInEffect(session.windows()))
+        visit(number, step++);
 }
 
 double outlineWidth(const app::Session& session, bool hovered)
@@ -181,16 +183,39 @@ void paintReasons(QPainter& painter, const Controller& controller, const Pane& p
     }
 }
 
+/// The outline of a window without effect: the box around one of many points, as it is no step of
+/// the region, which is painted in the background.
+QPainterPath quietOutline(const app::View& view, const app::WindowShape& shape)
+{
+    constexpr std::size_t many = 1000; // points
+    const auto* own = std::get_if<app::PathShape>(&shape);
+    return own && own->path.pointCount() > many ? boxOutline(view, app::boxOf(shape))
+                                                : outlineOnScreen(view, shape);
+}
+
+/// Paints windows that another one replaces, except the one that is acted on.
+void paintReplaced(QPainter& painter, const Controller& controller)
+{
+    const app::Session& session = controller.session();
+    const auto& list = session.windows().list;
+    const auto numbers = app::numbersInEffect(session.windows());
+    painter.setPen(QPen(controller.paperLook().muted, 1));
+    for (std::size_t i = 0; !numbers.empty() && i < numbers.front(); ++i)
+        if (list[i].visible && i != session.windowNumber())
+            painter.drawPath(quietOutline(controller.view(), list[i].shape));
+}
+
 // Paints the window that is acted on, above all others, which have thin lines.
 void paintBorders(QPainter& painter, const Controller& controller, const Pane& pane,
                   const app::FrameKey* shown)
 {
     const app::Session& session = controller.session();
     std::optional<QPainterPath> chosen;
-    if (!session.windows().list[*session.windowNumber()].visible)
-        chosen = outlineOnScreen(controller.view(), actedOn(controller).shape);
+    if (!app::stepInHand(session))
+        chosen = quietOutline(controller.view(), actedOn(controller).shape);
     painter.setBrush(Qt::NoBrush);
-    forEachVisible(session, [&](std::size_t number, std::size_t step) {
+    paintReplaced(painter, controller);
+    forEachStep(session, [&](std::size_t number, std::size_t step) {
         if (app::isLong(session.region().steps[step]))
             return;
         if (leavesAlone(pane, step))
@@ -275,7 +300,7 @@ void addSmallNeighbours(const Controller& controller, std::vector<QRectF>& boxes
     constexpr double small = 48; // pixels
     const app::Session& session = controller.session();
     const auto& steps = session.region().steps;
-    forEachVisible(session, [&](std::size_t number, std::size_t step) {
+    forEachStep(session, [&](std::size_t number, std::size_t step) {
         if (!app::isProper(steps[step].box)) // it contains nothing
             return;
         const QRectF box = boxOnScreen(controller.view(), steps[step].box);
@@ -298,7 +323,7 @@ std::vector<app::BorderLine> longBorders(const Workbench& bench, const Pane& pan
 {
     const app::Session& session = bench.session;
     std::vector<app::BorderLine> borders;
-    forEachVisible(session, [&](std::size_t number, std::size_t step) {
+    forEachStep(session, [&](std::size_t number, std::size_t step) {
         if (!app::isLong(session.region().steps[step]) || leavesAlone(pane, step))
             return;
         const app::ClipWindow& window = session.windows().list[number];

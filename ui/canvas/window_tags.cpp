@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/window_tags.h"
 
+#include "app/document/window_operations.h"
 #include "app/document/window_shape.h"
-#include "app/session/window_operations.h"
 #include "app/session/window_words.h"
 #include "app/view/area_at.h"
 #include "ui/look/look.h"
@@ -65,7 +65,11 @@ std::vector<WindowTag> windowTags(const HeldTool& held, const QFont& font)
         const double width = metrics.horizontalAdvance(text) + 2 * besideText;
         const QRectF place = placeOf(list[i], held.view(), width);
         if (place.intersects({0, 0, room.x, room.y}))
-            tags.push_back({place, text, colourOf(list[i], held.bench()), i});
+            tags.push_back({place, text,
+                             app::replacing(session.windows(), i)
+                                 ? held.bench().look.muted
+                                 : colourOf(list[i], held.bench()),
+                             i});
     }
     return tags;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/window_list.h"
 
-#include "app/session/window_operations.h"
+#include "app/document/window_operations.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "ui/docks/algorithm_list.h"
@@ -31,11 +31,12 @@ public:
         const Look& look = lookOf(option.palette);
         drawRowGround(*painter, option);
         const bool visible = index.data(WindowModel::VisibleRole).toBool();
+        const bool counts = index.data(WindowModel::CountsRole).toBool();
         const auto own = index.data(WindowModel::ColourRole).value<QColor>();
-        const QColor colour = !visible ? look.muted : own.isValid() ? own : look.accent;
+        const QColor colour = !counts ? look.muted : own.isValid() ? own : look.accent;
         drawDots(*painter, option.rect, look.muted);
         drawEye(*painter, option.rect, visible);
-        painter->setPen(visible ? look.text : look.muted);
+        painter->setPen(counts ? look.text : look.muted);
         painter->setFont(semiBold(option.font));
         const auto sign = app::WindowOperation(index.data(WindowModel::OperationRole).toInt());
         painter->drawText(operation(option.rect), Qt::AlignCenter, app::infoOf(sign).sign);
@@ -43,7 +44,7 @@ public:
         const std::string key = index.data(WindowModel::IconRole).toString().toStdString();
         painter->drawPixmap(
             place, tinted(icon(key), place.size(), painter->device()->devicePixelRatioF(), colour));
-        drawName(*painter, option, nameBox(option.rect), index.data().toString(), !visible);
+        drawName(*painter, option, nameBox(option.rect), index.data().toString(), !counts);
     }
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex&) const override
@@ -215,18 +216,20 @@ void WindowList::openOperations(const QModelIndex& row)
     auto* menu = new QMenu(this);
     menu->setObjectName(QStringLiteral("window-operations"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
     const int now = row.data(WindowModel::OperationRole).toInt();
     for (const app::WindowOperationInfo& each : app::windowOperations()) {
-        const int operation = int(menu->actions().size());
-        QAction* action =
-            menu->addAction(icon(each.icon), each.name + QLatin1Char('\t') + each.letter,
-                            [this, operation, index = QPersistentModelIndex(row)] {
-                                if (index.isValid())
-                                    app::setWindowOperation(session_, std::size_t(index.row()),
-                                                            app::WindowOperation(operation));
-                            });
+        QAction* action = menu->addAction(
+            icon(each.icon), each.name + QLatin1Char('\t') + each.letter,
+            [this, operation = each.operation, index = QPersistentModelIndex(row)] {
+                if (index.isValid())
+                    app::setWindowOperation(session_, std::size_t(index.row()), operation);
+            });
+        const QString why = app::whyNot(session_.windows(), std::size_t(row.row()), each.operation);
         action->setCheckable(true);
-        action->setChecked(operation == now);
+        action->setChecked(int(each.operation) == now);
+        action->setEnabled(why.isEmpty());
+        action->setToolTip(why);
     }
     menu->popup(viewport()->mapToGlobal(visualRect(row).bottomLeft()));
 }

@@ -2,7 +2,7 @@
 #include "ui/docks/window_model.h"
 
 #include "app/base/text.h"
-#include "app/session/window_operations.h"
+#include "app/document/window_operations.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "ui/look/text.h"
@@ -52,6 +52,7 @@ QVariant WindowModel::cell(int row, int, int role) const
 {
     const app::ClipWindow& window = shown_.list[std::size_t(row)];
     const QString name = app::nameOf(window);
+    const QString replaced = app::replacedText(shown_, std::size_t(row));
     switch (role) {
     case Qt::DisplayRole:
         return name;
@@ -59,6 +60,8 @@ QVariant WindowModel::cell(int row, int, int role) const
         return window.name;
     case VisibleRole:
         return window.visible;
+    case CountsRole:
+        return window.visible && replaced.isEmpty();
     case OperationRole:
         return int(window.operation);
     case IconRole:
@@ -67,9 +70,12 @@ QVariant WindowModel::cell(int row, int, int role) const
         return window.colour ? QColor(window.colour->red, window.colour->green, window.colour->blue)
                              : QColor();
     case Qt::AccessibleTextRole:
-        return window.visible ? Text::tr("%1, %2").arg(name, operationText(window.operation))
-                              : Text::tr("%1, hidden").arg(name);
+        return !window.visible      ? Text::tr("%1, hidden").arg(name)
+               : replaced.isEmpty() ? Text::tr("%1, %2").arg(name, operationText(window.operation))
+                                    : Text::tr("%1, %2").arg(name, replaced);
     case Qt::ToolTipRole:
+        if (!replaced.isEmpty())
+            return Text::tr("%1: %2.").arg(name, replaced);
         return Text::tr(
                    "%1 %2. Windows apply from top to bottom. Drag, or Ctrl+Up, Ctrl+Down: move; "
                    "double click: rename")

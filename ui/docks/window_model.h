@@ -12,8 +12,9 @@ class WindowModel : public CheckedModel {
     Q_OBJECT
 
 public:
-    /// IconRole: the key of the shape's icon. ColourRole: a QColor, not valid for the usual one.
-    enum Role { VisibleRole = Qt::UserRole, OperationRole, IconRole, ColourRole };
+    /// CountsRole: whether it has an effect. IconRole: the key of the shape's icon. ColourRole: a
+    /// QColor, not valid for the usual one.
+    enum Role { VisibleRole = Qt::UserRole, CountsRole, OperationRole, IconRole, ColourRole };
 
     explicit WindowModel(app::Session& session, QObject* parent = nullptr);
 

@@ -141,8 +141,8 @@ QWidget* WindowPanel::makeOffer()
                             space::dockMargin);
     auto* more =
         new QLabel(Text::tr("Several windows make one shape together: each adds to it, cuts out "
-                            "of it, or intersects it. + makes one of any shape, also of selected "
-                            "objects."));
+                            "of it, intersects it, or replaces it. + makes one of any shape, also "
+                            "of selected objects."));
     more->setWordWrap(true);
     more->setForegroundRole(QPalette::PlaceholderText);
     more->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
+#include "app/document/window_operations.h"
 #include "app/session/window_in_hand.h"
-#include "app/session/window_operations.h"
 #include "app/session/window_places.h"
 #include "app/session/window_steps.h"
+#include "app/session/window_words.h"
 #include "app/view/picking.h"
 #include "ui/bars/option_bar.h"
 #include "ui/dialogs/margin_dialog.h"
@@ -143,9 +144,9 @@ ActionInfo occludeRow()
 
 QString noWindow() { return Text::tr("No clip window is visible. Draw one first (W)."); }
 
-ActionInfo operationRow(app::WindowOperation operation)
+ActionInfo operationRow(const app::WindowOperationInfo& info)
 {
-    const app::WindowOperationInfo& info = app::infoOf(operation);
+    const app::WindowOperation operation = info.operation;
     return {
         .key = info.key,
         .text = info.entry,
@@ -156,25 +157,32 @@ ActionInfo operationRow(app::WindowOperation operation)
                 if (const auto number = w.session().windowNumber())
                     app::setWindowOperation(w.session(), *number, operation);
             },
-        .enabled = hasWindow,
         .checked =
             [operation](const MainWindow& w) {
                 const auto number = w.session().windowNumber();
                 return number && w.session().windows().list[*number].operation == operation;
             },
         .group = "operation",
-        .needs = noWindow(),
+        .refusal =
+            [operation](const MainWindow& w) {
+                const auto number = w.session().windowNumber();
+                return number ? app::whyNot(w.session().windows(), *number, operation) : noWindow();
+            },
     };
+}
+
+std::vector<ActionInfo> operationRows()
+{
+    std::vector<ActionInfo> rows;
+    for (const app::WindowOperationInfo& each : app::windowOperations())
+        rows.push_back(operationRow(each));
+    rows.emplace_back();
+    return rows;
 }
 
 std::vector<ActionInfo> windowRows()
 {
-    using enum app::WindowOperation;
     return {
-        operationRow(Add),
-        operationRow(CutOut),
-        operationRow(Intersect),
-        {},
         {
             .key = "rename-window",
             .text = Text::tr("Re&name…"),
@@ -288,7 +296,7 @@ MenuInfo clipMenu()
         .rows = joined({
             toolRows({"window"}),
             inSubmenu(Text::tr("&Lay a window"), {placeRows()}),
-            inSubmenu(Text::tr("This &window"), {windowRows()}),
+            inSubmenu(Text::tr("This &window"), {operationRows(), windowRows()}),
             {keepOutsideRow()},
             separator,
             cutRows(),

@@ -68,9 +68,10 @@ constexpr std::array<std::string_view, 14> onNothing{
     "",         "window-on-page"};
 
 /// On the outline, the name or the row of a clip window, and in its capsule.
-constexpr std::array<std::string_view, 13> onWindow{"window-adds",
+constexpr std::array<std::string_view, 14> onWindow{"window-adds",
                                                     "window-cuts-out",
                                                     "window-intersects",
+                                                    "window-replaces",
                                                     "",
                                                     "rename-window",
                                                     "",

@@ -9,7 +9,7 @@ namespace ui {
 namespace {
 
 /// Draws and edits clip windows: a drag inside a window chooses and moves it, a handle of the
-/// chosen one resizes or rotates it, anything else draws a window. One that cuts out or intersects
+/// chosen one resizes or rotates it, anything else draws a window. One that does not just add
 /// may begin inside another.
 class WindowTool final : public Tool,
                          public TakesKeys,
@@ -130,9 +130,7 @@ private:
     /// Whether a window that is drawn may begin inside another.
     static bool drawsInside(const Workbench& bench)
     {
-        using Use = app::WindowPen::Use;
-        const Use use = bench.session.windowPen.use;
-        return use == Use::CutOut || use == Use::Intersect;
+        return bench.session.windowPen.operation != app::WindowOperation::Add;
     }
     static std::optional<std::size_t> windowUnder(const Pointer& pointer, const Workbench& bench)
     {
@@ -163,7 +161,8 @@ private:
     {
         const app::WindowPen& pen = bench.session.windowPen;
         return drawn_ && bench.session.windowNumber() == drawnNumber_ && pen.kind == drawnWith_.kind
-               && pen.use == app::penAfter(drawnWith_).use && canCorrect(*drawn_, bench);
+               && pen.operation == app::penAfter(drawnWith_).operation
+               && canCorrect(*drawn_, bench);
     }
 
     WindowGesture gesture_;

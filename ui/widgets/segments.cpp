@@ -102,8 +102,16 @@ void Segments::setIcons(const std::vector<std::string_view>& keys)
 
 void Segments::setTips(const QStringList& tips)
 {
+    tips_ = tips;
     for (int i = 0; i < tips.size(); ++i)
         group_.button(i)->setToolTip(tips[i]);
+}
+
+void Segments::setReason(int index, const QString& why)
+{
+    QAbstractButton* button = group_.button(index);
+    button->setEnabled(why.isEmpty());
+    button->setToolTip(why.isEmpty() ? tips_.value(index, button->text()) : why);
 }
 
 void Segments::choose(int index) { group_.button(index)->setChecked(true); }

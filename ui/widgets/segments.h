@@ -21,6 +21,8 @@ public:
     /// Shows an icon instead of each text, which becomes the tooltip.
     void setIcons(const std::vector<std::string_view>& keys);
     void setTips(const QStringList& tips); ///< the tooltip of each button
+    /// Disables a button and says why in its tooltip; empty: it is enabled, with its own tooltip.
+    void setReason(int index, const QString& why);
 
     int chosen() const { return group_.checkedId(); }
     void choose(int index); ///< without a signal
@@ -31,6 +33,7 @@ signals:
 
 private:
     QButtonGroup group_;
+    QStringList tips_;
 };
 
 } // namespace ui

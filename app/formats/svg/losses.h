@@ -186,8 +186,8 @@ inline constexpr LossKind unreadableWindow{
 inline constexpr LossKind unknownOperation{
     QT_TRANSLATE_NOOP("Text", "clip window with the unknown operation %1"),
     QT_TRANSLATE_NOOP("Text", "clip windows with the unknown operation %1"), false,
-    QT_TRANSLATE_NOOP("Text", "the operations are add, cut-out and intersect"),
-    QT_TRANSLATE_NOOP("Text", "the operations are add, cut-out and intersect")};
+    QT_TRANSLATE_NOOP("Text", "the operations are add, cut-out, intersect and replace"),
+    QT_TRANSLATE_NOOP("Text", "the operations are add, cut-out, intersect and replace")};
 inline constexpr LossKind unknownKeep{
     QT_TRANSLATE_NOOP("Text", "unknown value %1 of “keep” (inside or outside) was read as inside"),
     QT_TRANSLATE_NOOP("Text",

@@ -3,6 +3,7 @@
 
 #include "app/base/finite.h"
 #include "app/base/number.h"
+#include "app/document/window_operations.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/colour.h"
 #include "app/formats/svg/limits.h"
@@ -20,8 +21,6 @@ namespace app::svg {
 namespace {
 
 constexpr std::string_view angleUnit = "rad", evenOdd = "evenodd";
-// In the order of WindowOperation.
-constexpr std::array<std::string_view, 3> operations{"add", "cut-out", "intersect"};
 
 void appendShape(std::string& text, const RectangleShape& rectangle)
 {
@@ -67,7 +66,7 @@ void appendWindow(std::string& text, const ClipWindow& window, Keep keep)
     if (const std::string name = escaped(window.name); !name.empty())
         appendAttribute(text, "name", name);
     if (window.operation != WindowOperation::Add)
-        appendAttribute(text, "operation", operations[std::size_t(window.operation)]);
+        appendAttribute(text, "operation", infoOf(window.operation).word);
     if (!window.visible)
         appendAttribute(text, "visible", "no");
     if (window.colour)
@@ -131,9 +130,7 @@ bool isInverted(const WindowShape& shape)
 
 std::optional<WindowOperation> operationOf(std::string_view text)
 {
-    const auto found = std::ranges::find(operations, text.empty() ? operations[0] : text);
-    return found == operations.end() ? std::nullopt
-                                     : std::optional(WindowOperation(found - operations.begin()));
+    return text.empty() ? WindowOperation::Add : windowOperation(text);
 }
 
 // Whether an attribute has the second of two values; the first is the default.

@@ -173,6 +173,8 @@ private slots:
         QCOMPARE(pieces({"--cut-out", small, "-w", wide}), "-99 99;");
         QCOMPARE(pieces({"--cut-out", small}), "-99 -10;10 99;");
         QCOMPARE(pieces({"-w", wide, "--intersect", "0,-5,80,5"}), "0 50;");
+        QCOMPARE(pieces({"-w", wide, "--replace", small, "-w", "40,-5,80,5"}), "-10 10;40 80;");
+        QCOMPARE(pieces({"--replace", small}), "-10 10;");
         QCOMPARE(pieces({"-w", "-90,-1,-80,1", "--window", "circle:0,0,5"}), "-90 -80;-5 5;");
         QCOMPARE(pieces({"-w", "-90,-1,-80,1", "-w", "circle:0,0,5", "--keep", "outside"}),
                  "-99 -90;-80 -5;5 99;");
@@ -188,6 +190,15 @@ private slots:
             QVERIFY2(run.out.contains("\n-55,0,-45,0,") && run.out.contains("\n40,0,60,0,"),
                      run.out);
         }
+    }
+
+    void severalShapesReplaceTogether()
+    {
+        const auto run = clearcut({"clip", "-", "--from", "svg", "--to", "csv", "-o", "-", "-w",
+                                   "page", "--replace", "layer:Lakes"},
+                                  drawing);
+        QVERIFY2(run.out.contains("\n-55,0,-45,0,") && run.out.contains("\n40,0,60,0,"), run.out);
+        QVERIFY2(!run.out.contains("\n-99,0,"), run.out);
     }
 
     void thePageAndAWindowAreGivenAlike()

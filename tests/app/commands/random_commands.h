@@ -161,7 +161,7 @@ private:
             windows.list.clear();
         windows.list.push_back({.name = random_.text(),
                                 .shape = app::RectangleShape{rectangle()},
-                                .operation = app::WindowOperation(random_.below(3)),
+                                .operation = app::WindowOperation(random_.below(4)),
                                 .visible = random_.below(2) == 0});
         windows.keep = app::Keep(random_.below(2));
         return new app::SetWindows(document_, windows, "Windows");

@@ -57,7 +57,12 @@ std::vector<Case> cases()
             {"star", {{with(star())}}},
             {"several windows",
              {{with(upright), with(rotated), with(circle({1, 1}, 2), WindowOperation::CutOut),
-               with(star(), WindowOperation::Intersect)}}}};
+               with(star(), WindowOperation::Intersect)}}},
+            {"windows that replace",
+             {{with(star()), with(circle({1, 1}, 2), WindowOperation::Replace),
+               with(circle({2, 0}, 3)), with(upright, WindowOperation::CutOut),
+               with(circle({-1, 1}, 6), WindowOperation::Replace),
+               with(star(), WindowOperation::CutOut)}}}};
 }
 
 // A closed curve around the origin that does not cross itself, filled and stroked.

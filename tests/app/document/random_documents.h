@@ -24,7 +24,7 @@ public:
         app::ClipWindows windows;
         for (auto n = below(4); n > 0; --n) {
             windows.list.push_back(
-                {text(), windowShape(), app::WindowOperation(below(3)), below(2) == 0});
+                {text(), windowShape(), app::WindowOperation(below(4)), below(2) == 0});
             if (n % 2 == 0) // draws nothing: the page of each seed, and so its scale, stays
                 windows.list.back().colour = app::Colour{1, 2, std::uint8_t(n)};
         }

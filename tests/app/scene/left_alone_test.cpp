@@ -70,6 +70,14 @@ private slots:
         QCOMPARE(alone({{rectangle()}}, variant("cs")), Steps{});
         QCOMPARE(alone({{star()}}, variant("cs")), Steps{0});
     }
+    void whatIsReplacedIsNoStep()
+    {
+        using Steps = std::vector<std::size_t>;
+        const ClipWindows windows{{star(), rectangle(), star(WindowOperation::Replace), star()}};
+        QCOMPARE(alone(windows, variant("cs")), (Steps{0, 1}));
+        const ClipWindows left = without(windows, Steps{1});
+        QVERIFY(left.list[2] == windows.list[2] && left.list[3].shape != windows.list[3].shape);
+    }
     /// Without such a window another result would be shown where it can clip.
     void notWhereTheOthersDependOnIt()
     {

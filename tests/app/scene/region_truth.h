@@ -11,7 +11,7 @@
 namespace truth {
 
 using Fraction = boost::rational<long long>;
-enum class Does { Add, CutOut, Intersect };
+enum class Does { Add, CutOut, Intersect, Replace };
 struct Rectangle {
     std::array<int, 2> min, max;
     Does does;
@@ -47,6 +47,9 @@ inline bool holds(const std::vector<Rectangle>& list, const std::array<Fraction,
             break;
         case Does::Intersect:
             in = in && within;
+            break;
+        case Does::Replace:
+            in = within;
         }
     }
     return in;

@@ -92,9 +92,10 @@ std::optional<bool> isKept(const ClipWindows& all, const Point& p)
         const auto here = isIn(window.shape, p);
         if (!here)
             return std::nullopt;
-        in = window.operation == WindowOperation::Add      ? in || *here
-             : window.operation == WindowOperation::CutOut ? in && !*here
-                                                           : in && *here;
+        in = window.operation == WindowOperation::Add       ? in || *here
+             : window.operation == WindowOperation::CutOut  ? in && !*here
+             : window.operation == WindowOperation::Replace ? *here
+                                                            : in && *here;
     }
     return in == (all.keep == Keep::Inside);
 }
@@ -118,13 +119,19 @@ private slots:
     void everyPointOfALineIsDecidedAsTheWindowsSay_data()
     {
         QTest::addColumn<int>("keep");
-        QTest::addRow("inside") << int(Keep::Inside);
-        QTest::addRow("outside") << int(Keep::Outside);
+        QTest::addColumn<bool>("replaced");
+        QTest::addRow("inside") << int(Keep::Inside) << false;
+        QTest::addRow("outside") << int(Keep::Outside) << false;
+        QTest::addRow("one replaced") << int(Keep::Inside) << true;
+        QTest::addRow("one replaced, outside") << int(Keep::Outside) << true;
     }
     void everyPointOfALineIsDecidedAsTheWindowsSay()
     {
         QFETCH(const int, keep);
-        const ClipWindows all = windows(Keep(keep));
+        QFETCH(const bool, replaced);
+        ClipWindows all = windows(Keep(keep));
+        if (replaced)
+            all.list[1].operation = WindowOperation::Replace;
         const ClipRegion region = regionOf(all, tolerance);
         const auto lines = randomLines(400);
         RegionClipping clipping;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_builder.h"
 #include "app/document/recipe_outline.h"
+#include "app/document/window_operations.h"
 #include "app/document/window_shape.h"
+#include "app/session/window_in_hand.h"
 #include "app/session/window_kinds.h"
 #include "app/session/window_steps.h"
+#include "app/session/window_words.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -65,10 +68,9 @@ private slots:
         removeWindow(session);
         drawWindow(session, shape("ellipse"));
         QCOMPARE(session.names(), (QStringList{"Hall", "Star 3", "Ellipse 4"}));
-        setWindowPen(session, {.use = WindowPen::Use::Replace});
-        drawWindow(session, shape("polygon")); // its number stays
+        setWindowShape(session, shape("polygon"), "Reshape"); // its number stays
         session.chooseWindow(0);
-        drawWindow(session, shape("star")); // and a person's name
+        setWindowShape(session, shape("star"), "Reshape"); // and a person's name
         QCOMPARE(session.names(), (QStringList{"Hall", "Star 3", "Polygon 4"}));
         addWindow(session, {.name = "Own", .shape = box});
         QCOMPARE(session.names().last(), "Own");
@@ -193,16 +195,21 @@ private slots:
     }
     void theyDoWhatWasChosenForThem()
     {
-        using Use = WindowPen::Use;
-        for (const auto& [use, operation] :
-             {std::pair(Use::Add, WindowOperation::Add),
-              std::pair(Use::CutOut, WindowOperation::CutOut),
-              std::pair(Use::Intersect, WindowOperation::Intersect)}) {
+        for (const WindowOperationInfo& each : windowOperations()) {
             Asked session({}, {drawn(EllipseRecipe{{9, 9}, {4, 3}}, "pond")});
             session.select({0});
-            addWindowsOfSelection(session, use);
-            QCOMPARE(session.now().windows().list.back().operation, operation);
+            addWindowsOfSelection(session, each.operation);
+            QCOMPARE(session.now().windows().list.back().operation, each.operation);
         }
+    }
+    void theyReplaceTogether()
+    {
+        Asked session({{.name = "a", .shape = box}},
+                      {drawn(EllipseRecipe{{9, 9}, {4, 3}}, "pond"),
+                       drawn(EllipseRecipe{{19, 9}, {4, 3}}, "lake")});
+        session.select(ObjectRanges(ObjectRange{0, 2}));
+        addWindowsOfSelection(session, WindowOperation::Replace);
+        QCOMPARE(resultOf(session.now().windows()), "pond + lake");
     }
     void aTextNamesItsWindow()
     {
@@ -214,26 +221,55 @@ private slots:
     }
     void aDrawnWindowDoesWhatThePenSays()
     {
-        using Use = WindowPen::Use;
         Asked session({{.name = "a", .shape = box}});
         drawWindow(session, other);
         QCOMPARE(session.list().size(), 2u);
         QCOMPARE(session.windowNumber(), std::optional<std::size_t>(1));
-        setWindowPen(session, {"rectangle", Use::CutOut});
-        drawWindow(session, box);
-        QCOMPARE(session.list()[2].operation, WindowOperation::CutOut);
-        QCOMPARE(session.windowPen.use, Use::Add); // a hole is one hole
-        setWindowPen(session, {"rectangle", Use::Replace});
+        for (const WindowOperationInfo& each : windowOperations()) {
+            setWindowPen(session, {"rectangle", each.operation});
+            const DrawnWindow before = withDrawn(session, box);
+            drawWindow(session, box);
+            QVERIFY(session.list() == before.windows.list);
+            QCOMPARE(session.windowNumber(), std::optional(before.number));
+            QCOMPARE(session.list().back().operation, each.operation);
+            QCOMPARE(session.windowPen.operation, WindowOperation::Add); // a hole is one hole
+        }
+        QCOMPARE(resultOf(session.now().windows()), "Rectangle 6"); // the last one replaces
+    }
+    void theFirstWindowOnlyAdds()
+    {
+        Asked session({{.name = "a", .shape = box}, {.name = "b", .shape = other}});
+        for (const WindowOperationInfo& each : windowOperations()) {
+            session.refusals.clear();
+            setWindowOperation(session, 0, each.operation);
+            const bool adds = each.operation == WindowOperation::Add;
+            QCOMPARE(session.refusals.value(0).value(0).toString(),
+                     adds ? "" : "a is the first window, so it can only add.");
+            QCOMPARE(session.list()[0].operation, WindowOperation::Add);
+            setWindowOperation(session, 1, each.operation);
+            QCOMPARE(session.list()[1].operation, each.operation);
+        }
+        QCOMPARE(session.history.undoText(), "Replace by b");
+        session.chooseWindow(1);
+        reorderWindow(session, 1, 0); // it stays what it is, and can be made to add
+        QCOMPARE(whyNot(session.windows(), 0, WindowOperation::Replace), "");
+        setWindowOperation(session, 0, WindowOperation::Add);
+        QCOMPARE(resultOf(session.windows()), "b + a");
+    }
+    void onlyWindowsWithAnEffectAreCompared()
+    {
+        Asked session({{.name = "a", .shape = box},
+                       {.name = "b", .shape = other, .operation = WindowOperation::Replace}});
         session.chooseWindow(0);
-        QCOMPARE(withDrawn(session, other).number, 0u);
-        drawWindow(session, other);
-        QVERIFY(session.list()[0].shape == WindowShape(other));
-        QCOMPARE(session.list()[0].name, "a");
-        QCOMPARE(session.windowPen.use, Use::Replace);
-        Asked empty;
-        setWindowPen(empty, {"rectangle", Use::Replace});
-        drawWindow(empty, box);
-        QCOMPARE(empty.list().size(), 1u); // there was none to replace
+        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(0)); // it can still be edited
+        QCOMPARE(session.compared().number, std::optional<std::size_t>(1));
+        QVERIFY(!stepInHand(session));
+        QCOMPARE(headingInHand(session), "");
+        QCOMPARE(needsByName(session).size(), 1u);
+        QCOMPARE(replacedText(session.windows(), 0), "without effect: b replaces it");
+        QCOMPARE(replacedText(session.windows(), 1), "");
+        session.chooseWindow(1);
+        QCOMPARE(stepInHand(session), session.region().steps.data());
     }
     void aWindowsOutlineBecomesAnObject()
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The controls beside the chosen clip window.
 #include "app/commands/set_page_parts.h"
+#include "app/document/window_operations.h"
 #include "app/session/window_steps.h"
 #include "ui/canvas/window_capsule.h"
 #include "ui/widgets/length_field.h"
@@ -36,7 +37,15 @@ struct CapsuleStage : Stage {
         const auto buttons = part<QWidget>(group).findChildren<QToolButton*>();
         QTest::mouseClick(buttons[index], Qt::LeftButton);
     }
-    const app::ClipWindow& window() { return session.windows().list[0]; }
+    const app::ClipWindow& window() { return session.windows().list[*session.windowNumber()]; }
+    /// Puts another window above the one that is chosen, which can do more than add then.
+    void addAbove()
+    {
+        app::ClipWindows windows = session.windows();
+        windows.list.insert(windows.list.begin(), {.shape = app::RectangleShape{{{2, 2}, {9, 9}}}});
+        session.history.push(new app::SetWindows(session.document, windows, {}));
+        session.chooseWindow(1);
+    }
     clipping::Window box() { return *session.clipWindow(); }
     QRect place() { return {surface().mapFrom(canvas.get(), capsule().pos()), capsule().size()}; }
 };
@@ -67,11 +76,13 @@ private slots:
     void withOtherToolsAWindowIsChosenFirst()
     {
         CapsuleStage stage;
+        stage.addAbove();
+        stage.click({10, 90});
         stage.canvas->setTool("select");
         QVERIFY(!stage.capsule().isVisible());
         QTest::keyClick(&stage.surface(), '-');
         QCOMPARE(stage.window().operation, app::WindowOperation::Add);
-        stage.session.chooseWindow(0);
+        stage.session.chooseWindow(1);
         QVERIFY(stage.capsule().isVisible());
         QTest::keyClick(&stage.surface(), '-');
         QCOMPARE(stage.window().operation, app::WindowOperation::CutOut);
@@ -234,6 +245,12 @@ private slots:
     void itSaysWhatTheWindowDoes()
     {
         CapsuleStage stage;
+        stage.addAbove();
+        for (const app::WindowOperationInfo& each : app::windowOperations()) {
+            stage.clickPart("capsule-operation", int(each.operation));
+            QCOMPARE(stage.window().operation, each.operation);
+        }
+        stage.clickPart("capsule-operation", 0);
         stage.clickPart("capsule-operation", 1);
         QCOMPARE(stage.window().operation, app::WindowOperation::CutOut);
         QCOMPARE(stage.session.history.undoText(), QStringLiteral("Cut out Rectangle"));
@@ -243,23 +260,45 @@ private slots:
         stage.clickPart("capsule-keep", 1);
         QCOMPARE(stage.session.windows().keep, app::Keep::Outside);
     }
+    void theFirstWindowOnlyAdds()
+    {
+        CapsuleStage stage;
+        QSignalSpy refused(&stage.session, &app::Session::refused);
+        const QString why = "Rectangle is the first window, so it can only add.";
+        const auto buttons = stage.part<QWidget>("capsule-operation").findChildren<QToolButton*>();
+        const auto entries = stage.part<QToolButton>("capsule-operations").menu()->actions();
+        for (const app::WindowOperationInfo& each : app::windowOperations()) {
+            const bool adds = each.operation == app::WindowOperation::Add;
+            QCOMPARE(buttons[int(each.operation)]->isEnabled(), adds);
+            QCOMPARE(buttons[int(each.operation)]->toolTip() == why, !adds);
+            QCOMPARE(entries[int(each.operation)]->isEnabled(), adds);
+            QTest::keyClick(&stage.surface(), each.letter[0].toLatin1());
+        }
+        QCOMPARE(refused.size(), int(app::windowOperations().size()) - 1);
+        QCOMPARE(refused[0][0].toString(), why);
+        QCOMPARE(stage.window().operation, app::WindowOperation::Add);
+        stage.addAbove();
+        for (const QToolButton* button : buttons)
+            QVERIFY(button->isEnabled() && button->toolTip() != why);
+    }
     void itsKeysWorkOnTheCanvas()
     {
         CapsuleStage stage;
-        QTest::keyClick(&stage.surface(), '-');
-        QCOMPARE(stage.window().operation, app::WindowOperation::CutOut);
-        QTest::keyClick(&stage.surface(), '*');
-        QCOMPARE(stage.window().operation, app::WindowOperation::Intersect);
+        stage.addAbove();
+        for (const app::WindowOperationInfo& each : app::windowOperations()) {
+            QTest::keyClick(&stage.surface(), each.letter[0].toLatin1());
+            QCOMPARE(stage.window().operation, each.operation);
+        }
         stage.key(Qt::Key_X);
         QCOMPARE(stage.session.windows().keep, app::Keep::Outside);
         // Just after a window was drawn, too; in a gesture a sign is typed.
         stage.drag({160, 20}, {190, 80});
-        QCOMPARE(stage.session.windows().list.size(), std::size_t(2));
+        QCOMPARE(stage.session.windows().list.size(), std::size_t(3));
         QTest::keyClick(&stage.surface(), '-');
-        QCOMPARE(stage.session.windows().list[1].operation, app::WindowOperation::CutOut);
+        QCOMPARE(stage.session.windows().list[2].operation, app::WindowOperation::CutOut);
         stage.canvas->setTool("line");
         QTest::keyClick(&stage.surface(), '+');
-        QCOMPARE(stage.session.windows().list[1].operation, app::WindowOperation::CutOut);
+        QCOMPARE(stage.session.windows().list[2].operation, app::WindowOperation::CutOut);
     }
     void tabChoosesTheNextWindow()
     {
@@ -305,6 +344,7 @@ private slots:
     void itIsShorterOnANarrowCanvas()
     {
         CapsuleStage stage;
+        stage.addAbove();
         const int whole = stage.capsule().width();
         stage.canvas->resize(500, 400);
         stage.canvas->settle();

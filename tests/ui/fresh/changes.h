@@ -107,7 +107,7 @@ inline void addWindow(Desk& desk)
     for (const app::WindowKind& kind : kinds.subspan(std::size_t(desk.below(int(kinds.size())))))
         if (kind.make) {
             app::addWindow(desk.session, {.shape = kind.make({{x, y}, {x + 60, y + 40}}),
-                                          .operation = app::WindowOperation(desk.below(3))});
+                                          .operation = app::WindowOperation(desk.below(4))});
             return;
         }
 }

@@ -86,19 +86,24 @@ private slots:
         const QStringList keys = keysOf(menu);
         QVERIFY(keys.contains("crop") && keys.contains("remove-window") && !keys.contains("group"));
         QCOMPARE(keys.first(), "window-adds");
-        choose(menu, "window-cuts-out");
+        QVERIFY(!keys.contains("window-cuts-out")); // it is the first
+        close(menu);
+        app::addWindow(hand.session, {.shape = app::RectangleShape{{{2, 2}, {9, 9}}}});
+        app::reorderWindow(hand.session, 1, 0);
+        hand.session.chooseWindow(1);
+        choose(menuAt(hand.surface(), hand.at({175, 85})), "window-replaces");
         const auto& list = hand.session.windows().list;
-        QCOMPARE(list[0].operation, app::WindowOperation::CutOut);
+        QCOMPARE(list[1].operation, app::WindowOperation::Replace);
         menu = menuAt(hand.surface(), hand.at({175, 90})); // inside
         QVERIFY(!keysOf(menu).contains("remove-window"));
         close(menu);
         auto* rows = hand.t.window->findChild<QListView*>("clip-windows");
-        menu = menuAt(*rows->viewport(), rows->visualRect(rows->model()->index(0, 0)).center());
+        menu = menuAt(*rows->viewport(), rows->visualRect(rows->model()->index(1, 0)).center());
         for (const QAction* action : menu->actions())
-            QCOMPARE(action->isChecked(), action->objectName() == "window-cuts-out"
+            QCOMPARE(action->isChecked(), action->objectName() == "window-replaces"
                                               || action->objectName() == "keep-inside");
         choose(menu, "remove-window");
-        QVERIFY(list.empty());
+        QCOMPARE(list.size(), std::size_t(1));
     }
     void theNameOfAWindowHasItsMenu()
     {

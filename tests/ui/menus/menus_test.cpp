@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
-#include "app/session/window_operations.h"
+#include "app/document/window_operations.h"
 #include "app/session/window_steps.h"
 #include "ui/menus/actions.h"
 #include "ui/tools/tool.h"
@@ -93,7 +93,8 @@ private slots:
         const auto operation = [&] { return session.now().windows().list.back().operation; };
         for (const app::WindowOperationInfo& each : app::windowOperations())
             QCOMPARE(t.action(each.key.data())->shortcut(), QKeySequence(each.letter));
-        app::addWindow(session, {.shape = app::RectangleShape{{{10, 10}, {40, 40}}}});
+        for (const double right : {30, 40})
+            app::addWindow(session, {.shape = app::RectangleShape{{{10, 10}, {right, 40}}}});
         const int before = session.history.index();
         t.window->canvas().setTool("line");
         QTest::keyClick(t.drawingArea(), '-'); // a number begins

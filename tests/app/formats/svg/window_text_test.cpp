@@ -78,16 +78,18 @@ private slots:
              {{}, app::RectangleShape{{{1, 2}, {3, 4}}, 1.0 / 3}, WindowOperation::Intersect},
              {"B", polygon({{0, 0}, {9, 0.1}, {5, 1.0 / 3}})},
              {{}, app::PathShape{}},
-             {.shape = box}},
+             {.shape = box, .operation = WindowOperation::Replace}},
             app::Keep::Outside};
-        QCOMPARE(metadataOf(windows),
-                 "<metadata><clearcut:window name=\"&lt;A>\" operation=\"cut-out\" visible=\"no\" "
-                 "colour=\"#0120ff\" keep=\"outside\" xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/>"
-                 "<clearcut:window operation=\"intersect\" xmin=\"1\" ymin=\"2\" xmax=\"3\" "
-                 "ymax=\"4\" angle=\"0.3333333333333333rad\"/>"
-                 "<clearcut:window name=\"B\" d=\"M0 0L9 0.1L5 0.3333333333333333Z\"/>"
-                 "<clearcut:window d=\"\"/>"
-                 "<clearcut:window xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/></metadata>");
+        QCOMPARE(
+            metadataOf(windows),
+            "<metadata><clearcut:window name=\"&lt;A>\" operation=\"cut-out\" visible=\"no\" "
+            "colour=\"#0120ff\" keep=\"outside\" xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/>"
+            "<clearcut:window operation=\"intersect\" xmin=\"1\" ymin=\"2\" xmax=\"3\" "
+            "ymax=\"4\" angle=\"0.3333333333333333rad\"/>"
+            "<clearcut:window name=\"B\" d=\"M0 0L9 0.1L5 0.3333333333333333Z\"/>"
+            "<clearcut:window d=\"\"/>"
+            "<clearcut:window operation=\"replace\" xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" "
+            "ymax=\"40\"/></metadata>");
         const auto again = readText(textOf(with(windows)));
         QVERIFY(again && again.value->report.empty());
         QVERIFY(again.value->document.windows() == windows);
@@ -117,10 +119,9 @@ private slots:
         QVERIFY(!read(window).list[0].colour);
         QVERIFY2(reportOn(window).contains("unknown colour “reddish” of a clip window"),
                  qPrintable(reportOn(window)));
-        QCOMPARE(read("<c:window colour='teal' xmin='0' ymin='0' xmax='3' ymax='4'/>")
-                     .list[0]
-                     .colour,
-                 std::optional(app::Colour{0, 128, 128}));
+        QCOMPARE(
+            read("<c:window colour='teal' xmin='0' ymin='0' xmax='3' ymax='4'/>").list[0].colour,
+            std::optional(app::Colour{0, 128, 128}));
     }
     void aForeignFileHasNone()
     {
@@ -177,7 +178,7 @@ private slots:
         QCOMPARE(lossLines(lossesOf("<c:window xmin='0' ymin='0' xmax='1' ymax='1' "
                                     "operation='subtract'/>")),
                  QStringList("Lost: 1 clip window with the unknown operation “subtract” (line 1); "
-                             "the operations are add, cut-out and intersect"));
+                             "the operations are add, cut-out, intersect and replace"));
     }
     // Whatever stands there, the file is read, and the line is told.
     void aBadColourRefusesNoFile()

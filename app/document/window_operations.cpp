@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/window_operations.h"
+#include "app/document/window_operations.h"
 
 #include "app/base/text.h"
 
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -11,6 +12,7 @@ std::span<const WindowOperationInfo> windowOperations()
 {
     static const std::array all{
         WindowOperationInfo{WindowOperation::Add,
+                            "add",
                             "window-adds",
                             "window-add",
                             "+",
@@ -20,8 +22,10 @@ std::span<const WindowOperationInfo> windowOperations()
                             Text::tr("&Add to those above"),
                             Text::tr("Add the window to those above it"),
                             Text::tr("Add %1"),
+                            Text::tr("add %1"),
                             {}},
         WindowOperationInfo{WindowOperation::CutOut,
+                            "cut-out",
                             "window-cuts-out",
                             "window-cut-out",
                             "-",
@@ -31,8 +35,10 @@ std::span<const WindowOperationInfo> windowOperations()
                             Text::tr("Cut out of t&hose above"),
                             Text::tr("Cut the window out of those above it"),
                             Text::tr("Cut out %1"),
+                            Text::tr("cut out %1"),
                             {7, 4}},
         WindowOperationInfo{WindowOperation::Intersect,
+                            "intersect",
                             "window-intersects",
                             "window-intersect",
                             "*",
@@ -42,7 +48,22 @@ std::span<const WindowOperationInfo> windowOperations()
                             Text::tr("Int&ersect with those above"),
                             Text::tr("Keep what the window has in common with those above it"),
                             Text::tr("Intersect with %1"),
+                            Text::tr("intersect %1"),
                             {2, 3}},
+        WindowOperationInfo{WindowOperation::Replace,
+                            "replace",
+                            "window-replaces",
+                            "window-replace",
+                            "=",
+                            "=",
+                            Text::tr("Replace"),
+                            Text::tr("replaces"),
+                            Text::tr("Rep&lace those above"),
+                            Text::tr("Let the window take the place of those above it, which have "
+                                     "no effect then"),
+                            Text::tr("Replace by %1"),
+                            Text::tr("replace by %1"),
+                            {}},
     };
     return all;
 }
@@ -50,6 +71,13 @@ std::span<const WindowOperationInfo> windowOperations()
 const WindowOperationInfo& infoOf(WindowOperation operation)
 {
     return windowOperations()[std::size_t(operation)];
+}
+
+std::optional<WindowOperation> windowOperation(std::string_view word)
+{
+    const auto all = windowOperations();
+    const auto found = std::ranges::find(all, word, &WindowOperationInfo::word);
+    return found == all.end() ? std::nullopt : std::optional(found->operation);
 }
 
 } // namespace app
