@@ -12,25 +12,36 @@
 namespace app {
 namespace {
 
+/// Hides the windows that have cut, so that all that is left is seen.
+Cut withWindowsHidden(Cut made, const Document& document)
+{
+    if (made.edit.splices.empty() || !cuts(document.windows()))
+        return made;
+    made.edit.windows = document.windows();
+    for (ClipWindow& window : made.edit.windows->list) // or one of them would no longer be replaced
+        window.visible = false;
+    return made;
+}
+
+Cut crop(const Document& document, const CutOptions& options, const Follower& follower)
+{
+    return withWindowsHidden(cut(document, options, follower), document);
+}
+
 Cut cutOut(const Document& document, const CutOptions& options, const Follower& follower)
 {
     CutOptions outside = options;
     outside.region = withKeep(options.region, Keep::Outside);
-    Cut made = cut(document, outside, follower);
-    if (!made.edit.splices.empty() && document.windows().keep == Keep::Inside) {
-        made.edit.windows = document.windows();
-        made.edit.windows->keep = Keep::Outside; // or what is left would not be seen
-    }
-    return made;
+    return withWindowsHidden(cut(document, outside, follower), document);
 }
 
 constexpr std::array kinds{
     PermanentCut{"crop", QT_TRANSLATE_NOOP("Text", "Crop to windows"),
-                 QT_TRANSLATE_NOOP("Text", "Cropped: %1"),
+                 QT_TRANSLATE_NOOP("Text", "Cropped: %1 The clip windows are hidden now."),
                  QT_TRANSLATE_NOOP("Text", "Nothing was cropped"),
-                 QT_TRANSLATE_NOOP("Text", "the clip window keeps all of the drawing."), cut},
+                 QT_TRANSLATE_NOOP("Text", "the clip window keeps all of the drawing."), crop},
     PermanentCut{"cut-out", QT_TRANSLATE_NOOP("Text", "Cut out windows"),
-                 QT_TRANSLATE_NOOP("Text", "Cut out: %1"),
+                 QT_TRANSLATE_NOOP("Text", "Cut out: %1 The clip windows are hidden now."),
                  QT_TRANSLATE_NOOP("Text", "Nothing was cut out"),
                  QT_TRANSLATE_NOOP("Text", "no object is inside the clip windows."), cutOut},
     PermanentCut{"split", QT_TRANSLATE_NOOP("Text", "Split at windows"),

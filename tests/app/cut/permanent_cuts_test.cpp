@@ -106,12 +106,22 @@ private slots:
         QCOMPARE(rowsOf(made("cut-out", drawing(), outside).sheet), left);
     }
 
-    void whatIsLeftAfterCuttingOutIsSeen()
+    void whatIsLeftIsSeen()
     {
-        const Made cut = made("cut-out", drawing());
-        QCOMPARE(cut.document.windows().keep, app::Keep::Outside);
-        QCOMPARE(made("crop", drawing()).document.windows().keep, app::Keep::Inside);
-        QCOMPARE(made("cut-out", cut.sheet).document.windows().keep, app::Keep::Inside); // nothing
+        Sheet sheet = drawing();
+        sheet.window = window;
+        for (const char* key : {"crop", "cut-out"}) {
+            const Made cut = made(key, sheet);
+            const app::ClipWindows& windows = cut.document.windows();
+            QCOMPARE(windows.list.size(), std::size_t(1));
+            QVERIFY(!app::cuts(windows));
+            QCOMPARE(windows.keep, app::Keep::Inside);
+            // Where nothing is cut, the window stays.
+            app::Sheet again = cut.sheet;
+            again.window = window;
+            QVERIFY(app::cuts(made(key, again).document.windows()));
+        }
+        QVERIFY(app::cuts(made("split", sheet).document.windows()));
     }
 
     void splittingKeepsBothPartsOnLayersOfTheirOwn()
