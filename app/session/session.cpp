@@ -179,7 +179,8 @@ void Session::follow(const DocumentChange& change)
     }
     if (change.everything) {
         preview_ = {};
-        chosenWindow_ = 0;
+        const ClipWindows& loaded = now().windows();
+        chosenWindow_ = actedOn(loaded, loaded.list.size()).value_or(0);
     }
     if (change.drawing())
         selectionBounds_.reset();

@@ -75,7 +75,7 @@ QVariant WindowModel::cell(int row, int, int role) const
                                     : Text::tr("%1, %2").arg(name, replaced);
     case Qt::ToolTipRole:
         if (!replaced.isEmpty())
-            return Text::tr("%1: %2.").arg(name, replaced);
+            return replaced;
         return Text::tr(
                    "%1 %2. Windows apply from top to bottom. Drag, or Ctrl+Up, Ctrl+Down: move; "
                    "double click: rename")

@@ -204,6 +204,15 @@ std::vector<Chord> chordsOf(const Document& document)
     return chords;
 }
 
+/// With the windows' true curves, as a drawing is cut.
+Cut cutTruly(const Document& document, const ClipWindows& windows, Keep keep)
+{
+    CutOptions options{clipping::exactAlgorithm().corrected.clipAll};
+    app::cutAt(options, windows, document.page());
+    options.region = withKeep(std::move(options.region), keep);
+    return cut(document, options);
+}
+
 bool kept(const ClipRegion& region, const Point& p)
 {
     return region.prepared ? !clipping::clip({p, p}, region.prepared->prepared()).empty()
@@ -254,6 +263,34 @@ private slots:
             ends += inside.ends;
         }
         QVERIFY(ends > 80);
+    }
+
+    void whatIsReplacedChangesNothing_data() { addCases(); }
+    void whatIsReplacedChangesNothing()
+    {
+        const ClipWindows alone = windows();
+        ClipWindows after = cases().back().windows; // curves, which would divide the others
+        const std::size_t first = after.list.size();
+        after.list.insert(after.list.end(), alone.list.begin(), alone.list.end());
+        after.list[first].operation = WindowOperation::Replace;
+        // The same steps: no time is spent on what is replaced.
+        QVERIFY(regionOf(after, tolerance) == regionOf(alone, tolerance));
+        std::mt19937_64 random(3);
+        std::size_t pieces = 0;
+        for (int i = 0; i < 20; ++i)
+            for (const Keep keep : {Keep::Inside, Keep::Outside}) {
+                const Document whole = documentOf(blob(random));
+                const Cut made = cutTruly(whole, after, keep),
+                          expected = cutTruly(whole, alone, keep);
+                Document left = whole, expectedLeft = whole;
+                left.apply(made.edit);
+                expectedLeft.apply(expected.edit);
+                QVERIFY(left.objects() == expectedLeft.objects());
+                QCOMPARE(made.counts.segmentsAfter, expected.counts.segmentsAfter);
+                QCOMPARE(made.counts.cut, expected.counts.cut);
+                pieces += made.counts.cut;
+            }
+        QVERIFY(pieces > 20);
     }
 
     void whatIsFilledIsInTheShapeAndInTheWindows_data() { addCases(); }

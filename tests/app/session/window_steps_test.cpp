@@ -260,6 +260,7 @@ private slots:
     {
         Asked session({{.name = "a", .shape = box},
                        {.name = "b", .shape = other, .operation = WindowOperation::Replace}});
+        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(1));
         session.chooseWindow(0);
         QCOMPARE(session.windowNumber(), std::optional<std::size_t>(0)); // it can still be edited
         QCOMPARE(session.compared().number, std::optional<std::size_t>(1));

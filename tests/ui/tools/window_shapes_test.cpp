@@ -5,6 +5,7 @@
 #include "app/document/window_shape.h"
 #include "app/formats/coordinates.h"
 #include "app/view/frame_handles.h"
+#include "ui/docks/window_model.h"
 #include "ui/docks/window_panel.h"
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/length_field.h"
@@ -229,6 +230,29 @@ private slots:
                           menu->actionGeometry(menu->actions()[2]).center());
         QCOMPARE(w.window(1).operation, app::WindowOperation::Intersect);
         QCOMPARE(w.session.history.undoText(), QStringLiteral("Intersect with Dome"));
+    }
+    void whatIsReplacedSaysSo()
+    {
+        Windows w;
+        w.clickRow(0, 40); // the sign of the first
+        auto* menu = w.t.window->findChild<QMenu*>("window-operations");
+        for (const QAction* action : menu->actions())
+            QCOMPARE(action->isEnabled(), action == menu->actions()[0]);
+        QCOMPARE(menu->actions()[3]->toolTip(), "Hall is the first window, so it can only add.");
+        delete menu;
+        w.clickRow(1, 40);
+        menu = w.t.window->findChild<QMenu*>("window-operations");
+        QTest::mouseClick(menu, Qt::LeftButton, {},
+                          menu->actionGeometry(menu->actions()[3]).center());
+        QCOMPARE(w.window(1).operation, app::WindowOperation::Replace);
+        QCOMPARE(w.session.history.undoText(), QStringLiteral("Replace by Dome"));
+        const QModelIndex hall = w.list->model()->index(0, 0);
+        QCOMPARE(hall.data(ui::WindowModel::CountsRole).toBool(), false);
+        QCOMPARE(hall.data(Qt::ToolTipRole).toString(),
+                 QStringLiteral("without effect: Dome replaces it"));
+        QCOMPARE(w.list->model()->index(1, 0).data(ui::WindowModel::CountsRole).toBool(), true);
+        w.session.history.undo();
+        QCOMPARE(hall.data(ui::WindowModel::CountsRole).toBool(), true);
     }
     void aWindowGetsAColour()
     {
