@@ -4,6 +4,7 @@
 #include "app/base/text.h"
 #include "ui/look/look_icon.h"
 #include "ui/menus/context_menus.h"
+#include "ui/menus/further_commands.h"
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
@@ -124,6 +125,7 @@ void addMenus(MainWindow& window)
             addRow(window, *others, row, submenu ? *submenu : *menu, groups);
         }
     }
+    addSettingCommands(window);
     addContextMenus(window);
     qApp->installEventFilter(new MenuKeys(&window));
     window.refreshActions();

@@ -4,6 +4,7 @@
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/menus/menu_rows.h"
+#include "ui/sheets/sheets.h"
 #include "ui/window/main_window.h"
 
 #include <QFileInfo>
@@ -87,7 +88,13 @@ MenuInfo fileMenu()
                     .enabled = someLines,
                     .made = [](MainWindow& w, QAction& action) { w.optionBar().setExport(action); },
                 },
-                settingsRow(),
+                {
+                    .key = "settings",
+                    .text = Text::tr("Se&ttings…"),
+                    .keys = keys(K::Preferences, {K("Ctrl+,")}),
+                    .icon = "gear",
+                    .run = [](MainWindow& w) { showSheet(w, "settings"); },
+                },
                 {},
                 {
                     .key = "close",

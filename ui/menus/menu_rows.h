@@ -26,7 +26,6 @@ std::vector<ActionInfo> panesRows();
 ActionInfo moveToLayerRow();
 ActionInfo convertRow(); ///< to a path
 ActionInfo findRow();
-ActionInfo settingsRow();
 
 /// Entries of these tools, in the order of the keys.
 std::vector<ActionInfo> toolRows(const std::vector<std::string_view>& keys);

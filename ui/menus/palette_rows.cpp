@@ -9,6 +9,7 @@
 #include "ui/look/text.h"
 #include "ui/menus/menu_rows.h"
 #include "ui/menus/other_windows.h"
+#include "ui/window/keyboard.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -166,6 +167,7 @@ std::vector<PaletteRow> widthRow(MainWindow& window, const QString& typed)
 PaletteRows::PaletteRows(MainWindow& window, OtherWindows& others) : window_(window)
 {
     addCommands(window, *window.menuBar(), {}, commands_);
+    addCommands(window, furtherCommands(window), {}, commands_);
     for (const QString& topic : app::manualTopics())
         pages_.push_back(pageRow(others, topic));
 }

@@ -56,7 +56,11 @@ void addThemes(MainWindow& window, QMenu& menu)
             menu.addAction(text, &window, [&window, theme = theme] { window.setTheme(theme); });
         action->setObjectName(QStringLiteral("theme-%1").arg(int(theme)));
         action->setCheckable(true);
-        action->setChecked(window.theme() == theme);
+        const auto follow = [&window, action, theme = theme] {
+            action->setChecked(window.theme() == theme);
+        };
+        QObject::connect(&window, &MainWindow::actionsOutdated, action, follow);
+        follow();
         group->addAction(action);
     }
 }
@@ -126,13 +130,6 @@ void addPanels(MainWindow& window, QMenu& menu)
 {
     menu.addActions(window.panelToggles());
     menu.addSeparator();
-    QAction* capsule = menu.addAction(Text::tr("Cap&sule at what is chosen"));
-    capsule->setObjectName(QStringLiteral("capsule-shown"));
-    capsule->setCheckable(true);
-    capsule->setChecked(window.canvas().showsCapsule());
-    QObject::connect(capsule, &QAction::triggered, &window.canvas(), &Canvas::switchCapsule);
-    QObject::connect(&window.canvas(), &Canvas::capsuleSwitched, capsule,
-                     [&window, capsule] { capsule->setChecked(window.canvas().showsCapsule()); });
 }
 
 template <app::RemovedPart removed>

@@ -5,6 +5,7 @@
 #include "ui/microscope/microscope_page.h"
 #include "ui/tiles/tiles_page.h"
 #include "ui/widgets/message_strip.h"
+#include "ui/widgets/sheet.h"
 
 #include <QEvent>
 #include <QStackedWidget>
@@ -15,12 +16,15 @@
 namespace ui {
 
 Centre::Centre(MessageStrip& strip, Canvas& canvas)
-    : pages_(new QStackedWidget), messages_(new QWidget(this)), canvas_(canvas)
+    : pages_(new QStackedWidget), column_(new QVBoxLayout), messages_(new QWidget(this)),
+      canvas_(canvas)
 {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* across = new QHBoxLayout(this);
+    across->setContentsMargins(0, 0, 0, 0);
+    across->setSpacing(0);
+    across->addLayout(column_, 1);
     pages_->addWidget(&canvas);
-    column->addWidget(pages_);
+    column_->addWidget(pages_);
     auto* messages = new QVBoxLayout(messages_);
     messages->setContentsMargins(0, 0, 0, 0);
     messages->setSpacing(0);
@@ -48,6 +52,8 @@ void Centre::allowNote(bool allowed)
 void Centre::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    if (sheet_)
+        sheet_->fitTo(window()->width());
     placeMessages();
 }
 
@@ -64,13 +70,14 @@ void Centre::placeMessages()
     const QPoint corner = showsCanvas() ? canvas_.drawingCorner()
                           : showsTiles  ? tiles_->sheetsArea().topLeft()
                                         : QPoint();
-    const int across = showsTiles ? tiles_->sheetsArea().width() : width() - corner.x();
+    const int across =
+        showsTiles ? tiles_->sheetsArea().width() : column_->geometry().width() - corner.x();
     const QLayout& messages = *messages_->layout();
     const int height = messages.isEmpty()             ? 0
                        : messages.hasHeightForWidth() ? messages.heightForWidth(across)
                                                       : messages.sizeHint().height();
     messages_->setGeometry(corner.x(), corner.y(), across, height);
-    layout()->setContentsMargins(0, showsCanvas() || showsTiles ? 0 : height, 0, 0);
+    column_->setContentsMargins(0, showsCanvas() || showsTiles ? 0 : height, 0, 0);
 }
 
 void Centre::setMicroscope(MicroscopePage* page)
@@ -86,6 +93,22 @@ void Centre::setTiles(TilesPage* page)
     tiles_ = page;
     page->view().installEventFilter(this);
     pages_->addWidget(page);
+}
+
+void Centre::setSheet(Sheet* sheet)
+{
+    if (sheet_) {
+        sheet_->hide();
+        layout()->removeWidget(sheet_);
+        sheet_->deleteLater();
+    }
+    sheet_ = sheet;
+    if (sheet) {
+        static_cast<QHBoxLayout*>(layout())->addWidget(sheet);
+        sheet->show();
+        sheet->fitTo(window()->width());
+    }
+    placeMessages();
 }
 
 void Centre::showTiles() { show(*tiles_); }
@@ -111,6 +134,11 @@ void Centre::show(QWidget& page)
         note_->setVisible(noteAllowed_ && &page == &canvas_);
     pages_->setCurrentWidget(&page);
     placeMessages();
+    layOut();
+}
+
+void Centre::layOut()
+{
     for (QLayout* around : {pages_->layout(), layout(), window()->layout()}) {
         around->invalidate();
         around->activate();

@@ -4,18 +4,21 @@
 #include <QWidget>
 
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace ui {
 
 class Canvas;
 class MessageStrip;
 class MicroscopePage;
+class Sheet;
 class TilesPage;
 class WindowNote;
 
-/// The middle of the window: the canvas, or the microscope or the sheets in its place, with the
-/// message strip and, at the first start, a note. These lie over the upper edge of the drawing, so
-/// that the view stays when they come and go; the other pages make room for them.
+/// The middle of the window: the canvas, or the microscope or the tiles in its place, with the
+/// message strip and, at the first start, a note; a side sheet may stand at the right. These lie
+/// over the upper edge of the drawing, so that the view stays when they come and go; the other
+/// pages make room for them.
 class Centre : public QWidget {
     Q_OBJECT
 
@@ -31,10 +34,15 @@ public:
     void setTiles(TilesPage* page);             ///< once
     TilesPage* tiles() const { return tiles_; } ///< null: none yet
 
+    /// Shows a side sheet; null: none. The one before is deleted later: it may handle an event now.
+    void setSheet(Sheet* sheet);
+    Sheet* sheet() const { return sheet_; } ///< null: none
+
     void showCanvas();
     void showTiles();
     void showMicroscope();
     bool showsCanvas() const;
+    void layOut(); ///< at once: nothing is painted in a wrong place before
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -45,10 +53,12 @@ private:
     void placeMessages();
 
     QStackedWidget* pages_;
-    QWidget* messages_; ///< note and strip
+    QVBoxLayout* column_; ///< the pages, and room above them for messages
+    QWidget* messages_;   ///< note and strip
     Canvas& canvas_;
     MicroscopePage* microscope_ = nullptr;
     TilesPage* tiles_ = nullptr;
+    Sheet* sheet_ = nullptr;
     WindowNote* note_ = nullptr;
     bool noteAllowed_ = true;
 };

@@ -2,6 +2,7 @@
 #include "ui/window/keyboard.h"
 
 #include <QKeyEvent>
+#include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -62,11 +63,22 @@ void add(const QWidget& menu, QList<QAction*>& all)
 
 } // namespace
 
-QList<QAction*> commands(const QMenuBar& menus)
+QList<QAction*> commands(QMainWindow& window)
 {
     QList<QAction*> all;
-    add(menus, all);
+    add(*window.menuBar(), all);
+    add(furtherCommands(window), all);
     return all;
+}
+
+QMenu& furtherCommands(QMainWindow& window)
+{
+    const QString name = QStringLiteral("further-commands");
+    if (auto* menu = window.findChild<QMenu*>(name, Qt::FindDirectChildrenOnly))
+        return *menu;
+    auto* menu = new QMenu(&window);
+    menu->setObjectName(name);
+    return *menu;
 }
 
 } // namespace ui

@@ -8,7 +8,8 @@
 
 class QAction;
 class QKeyEvent;
-class QMenuBar;
+class QMainWindow;
+class QMenu;
 
 namespace ui {
 
@@ -18,7 +19,12 @@ namespace ui {
 /// or its place is unknown (only Linux's scan codes are known).
 std::optional<QKeyCombination> keyAtItsPlace(const QKeyEvent& event);
 
-/// Every command in the menus, submenus included, in menu order.
-QList<QAction*> commands(const QMenuBar& menus);
+/// Every command of a window: those in the menus, submenus included, in menu order, and the further
+/// ones.
+QList<QAction*> commands(QMainWindow& window);
+
+/// The commands of a window without an entry in the menu bar, as submenus of a menu that is never
+/// shown.
+QMenu& furtherCommands(QMainWindow& window);
 
 } // namespace ui

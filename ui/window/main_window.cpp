@@ -14,6 +14,7 @@
 #include "ui/tiles/tiles_page.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/message_strip.h"
+#include "ui/widgets/sheet.h"
 #include "ui/window/centre.h"
 #include "ui/window/modes.h"
 #include "ui/window/panel_layout.h"
@@ -95,7 +96,9 @@ void MainWindow::addBars()
     canvas_->setStrokeControls(*new StrokeRow(session_, *canvas_, StrokeRow::Frame::Plain));
     toolBar_ = new ToolBar(session_, *canvas_);
     addToolBar(Qt::LeftToolBarArea, toolBar_);
-    menuBar()->setCornerWidget(new WorkspaceTabs(*panelLayout_));
+    auto* tabs = new WorkspaceTabs(*panelLayout_);
+    connect(tabs, &QTabBar::tabBarClicked, this, &MainWindow::closeSheet); // panels are wanted
+    menuBar()->setCornerWidget(tabs);
     connect(panelLayout_.get(), &PanelLayout::workspaceChanged, this, &MainWindow::followWorkspace);
 }
 
@@ -129,6 +132,7 @@ void MainWindow::setTheme(Theme theme)
     theme_ = theme;
     QSettings().setValue("theme", int(theme));
     applyTheme(*qApp, theme);
+    refreshActions();
 }
 
 void MainWindow::showStart()
@@ -170,7 +174,17 @@ void MainWindow::resetLayout() { panelLayout_->reset(); }
 
 const Workspace& MainWindow::workspace() const { return panelLayout_->workspace(); }
 
-void MainWindow::choose(const Workspace& workspace) { panelLayout_->choose(workspace); }
+void MainWindow::choose(const Workspace& workspace)
+{
+    closeSheet();
+    panelLayout_->choose(workspace);
+}
+
+Sheet* MainWindow::sheet() const { return modes_->sheets().sheet(); }
+
+void MainWindow::showSheet(Sheet* sheet) { modes_->sheets().show(sheet); }
+
+void MainWindow::closeSheet() { modes_->sheets().close(); }
 
 void MainWindow::showLessons() { modes_->microscope().showLessons(); }
 

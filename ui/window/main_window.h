@@ -23,6 +23,7 @@ class MicroscopePage;
 class Modes;
 class OptionBar;
 class PanelLayout;
+class Sheet;
 class StatusBar;
 class TilesPage;
 class ToolBar;
@@ -79,6 +80,11 @@ public:
     void resetLayout();
     const Workspace& workspace() const;
     void choose(const Workspace& workspace);
+
+    Sheet* sheet() const; ///< the side sheet in place of the panels; null: none
+    /// Shows a side sheet, which belongs to the window from now on, instead of the one before.
+    void showSheet(Sheet* sheet);
+    void closeSheet();
 
     /// Shows the lessons beside the microscope.
     void showLessons();

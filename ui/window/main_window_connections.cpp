@@ -138,7 +138,7 @@ void MainWindow::limitHistory()
         tell({Message::Kind::Warning,
               Text::tr(
                   "The oldest steps can no longer be undone: undo may use at most %1 MB of memory "
-                  "(menu File, Settings). Save a copy if you may need this state again.")
+                  "(File, Settings…). Save a copy if you may need this state again.")
                   .arg(app::countText(session_.history.limit() / bytesOf(1)))});
     };
     connect(&session_.history, &app::History::forgot, this, [this, sayWhy](int steps) {

@@ -25,9 +25,9 @@ namespace {
 bool isModifier(int key) { return key >= Qt::Key_Shift && key <= Qt::Key_ScrollLock; }
 
 /// The enabled command of the canvas with this key, or null.
-QAction* canvasCommand(const QMenuBar& menus, const QKeySequence& pressed)
+QAction* canvasCommand(QMainWindow& window, const QKeySequence& pressed)
 {
-    const auto all = commands(menus);
+    const auto all = commands(window);
     const auto found = std::ranges::find_if(all, [&](const QAction* action) {
         return action->shortcutContext() == Qt::WidgetWithChildrenShortcut && action->isEnabled()
                && action->shortcuts().contains(pressed);
@@ -36,7 +36,7 @@ QAction* canvasCommand(const QMenuBar& menus, const QKeySequence& pressed)
 }
 
 /// A key that a list of a panel did not take does what it does on the canvas.
-void passToCanvas(const QKeyEvent& event, QWidget& canvas, const QMenuBar& menus)
+void passToCanvas(const QKeyEvent& event, QWidget& canvas, QMainWindow& window)
 {
     canvas.setFocus();
     QWidget* target = canvas.window()->focusWidget();
@@ -48,7 +48,7 @@ void passToCanvas(const QKeyEvent& event, QWidget& canvas, const QMenuBar& menus
         QApplication::sendEvent(target, &copy);
         return copy.isAccepted();
     };
-    QAction* command = canvasCommand(menus, QKeySequence(event.keyCombination()));
+    QAction* command = canvasCommand(window, QKeySequence(event.keyCombination()));
     if (command && !send(QEvent::ShortcutOverride))
         command->trigger();
     else
@@ -92,16 +92,18 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
 {
     if (centre_->showsCanvas() && qobject_cast<PanelList*>(focusWidget())
         && !isModifier(event->key()))
-        return passToCanvas(*event, *canvas_, *menuBar());
+        return passToCanvas(*event, *canvas_, *this);
     if (event->key() == Qt::Key_Escape && centre_->showsCanvas()) {
         if (canvas_->focusProxy()->hasFocus() && isPresenting())
             return togglePresenting();
+        if (sheet() && canvas_->focusProxy()->hasFocus())
+            return closeSheet();
         return canvas_->setFocus(); // from a list or a field
     }
     const auto key = keyAtItsPlace(*event);
     const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
     const QKeySequence pressed(event->keyCombination());
-    for (QAction* action : commands(*menuBar())) {
+    for (QAction* action : commands(*this)) {
         const bool reached =
             action->shortcutContext() != Qt::WidgetWithChildrenShortcut || onCanvas;
         if (reached && !action->isEnabled() && !action->statusTip().isEmpty()

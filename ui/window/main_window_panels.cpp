@@ -66,6 +66,7 @@ void MainWindow::connectLayout()
     connect(panelLayout_.get(), &PanelLayout::aboutToRaise, &session_.microscope,
             &app::Microscope::close);
     connect(panelLayout_.get(), &PanelLayout::aboutToRaise, &sheets_, &app::LiveSheets::close);
+    connect(panelLayout_.get(), &PanelLayout::aboutToRaise, this, &MainWindow::closeSheet);
     connect(panelLayout_.get(), &PanelLayout::aboutToBringBack, panels_.line, &LinePanel::showNow);
 }
 

@@ -25,11 +25,13 @@ Mode modeOf(const app::Session& session, const app::LiveSheets& sheets, Beside b
 Modes::Modes(app::Session& session, app::DrawnLine& drawn, Canvas& canvas, Parts parts)
     : session_(session), parts_(std::move(parts)),
       microscope_(session, drawn, canvas, parts_.centre),
-      tiles_(session, parts_.sheets, canvas, parts_.centre), presenting_(parts_.window)
+      tiles_(session, parts_.sheets, canvas, parts_.centre), sheets_(parts_.centre, canvas),
+      presenting_(parts_.window)
 {
     connect(&session.microscope, &app::Microscope::openChanged, this, &Modes::followMicroscope);
     connect(&parts_.sheets, &app::LiveSheets::openChanged, this, &Modes::followSheets);
     connect(&microscope_, &MicroscopeMode::lessonsToggled, this, &Modes::followLessons);
+    connect(&sheets_, &SheetPlace::changed, this, &Modes::followSheet);
 }
 
 void Modes::followMicroscope()
@@ -49,6 +51,14 @@ void Modes::followLessons()
 {
     if (session_.microscope.isOpen())
         fit();
+    emit changed();
+}
+
+/// A side sheet stands in the place of the panels, in every mode.
+void Modes::followSheet()
+{
+    fit();
+    parts_.centre.layOut();
     emit changed();
 }
 
@@ -87,14 +97,15 @@ Mode Modes::mode() const
 void Modes::fit()
 {
     const ModeParts shown = partsOf(mode());
-    if (!shown.panels)
+    const bool panels = shown.panels && !sheets_.sheet();
+    if (!panels)
         parts_.panels.hideAll();
     fitBars(shown);
     if (shown.tiles)
         parts_.centre.showTiles();
     else
         shown.microscope ? parts_.centre.showMicroscope() : parts_.centre.showCanvas();
-    if (shown.panels)
+    if (panels)
         parts_.panels.bringBack();
 }
 

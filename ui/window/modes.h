@@ -3,6 +3,7 @@
 
 #include "ui/window/microscope_mode.h"
 #include "ui/window/presenting_mode.h"
+#include "ui/window/sheet_place.h"
 #include "ui/window/tiles_mode.h"
 
 class QToolBar;
@@ -78,6 +79,8 @@ public:
     MicroscopeMode& microscope() { return microscope_; }
     const MicroscopeMode& microscope() const { return microscope_; }
     TilesMode& tiles() { return tiles_; }
+    SheetPlace& sheets() { return sheets_; }
+    const SheetPlace& sheets() const { return sheets_; }
 
 signals:
     void changed(); ///< the mode, or whether lessons are shown
@@ -86,6 +89,7 @@ private:
     void followMicroscope();
     void followSheets();
     void followLessons();
+    void followSheet();
     Mode mode() const;
     void fit();
     void fitBars(const ModeParts& shown);
@@ -94,6 +98,7 @@ private:
     Parts parts_;
     MicroscopeMode microscope_;
     TilesMode tiles_;
+    SheetPlace sheets_;
     PresentingMode presenting_;
     /// The bars that Editing shows; empty: they are shown now.
     std::optional<QList<QToolBar*>> barsOfEditing_;

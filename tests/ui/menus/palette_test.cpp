@@ -71,7 +71,7 @@ private slots:
     {
         Finder finder;
         int looked = 0;
-        for (const QAction* action : commands(*finder.window->menuBar())) {
+        for (const QAction* action : commands(*finder.window)) {
             QString name = action->text();
             name.remove(u'&');
             if (name.isEmpty() || action->objectName() == "own-name")

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sheets/setting.h"
+#include "ui/sheets/sheets.h"
+#include "ui/widgets/segments.h"
+#include "ui/widgets/sheet.h"
+#include "ui/window/keyboard.h"
+
+#include <QAbstractButton>
+#include <QDockWidget>
+#include <QScrollArea>
+
+#include "tests/not_empty.h"
+#include "tests/test_class.h"
+#include "tests/ui/test_window.h"
+
+namespace ui::sheets_settings_sheet_test {
+
+class SettingsSheetTest : public QObject {
+    Q_OBJECT
+
+    static QStringList shownPanels(const TestWindow& t)
+    {
+        QStringList names;
+        for (const auto* dock : t.window->findChildren<QDockWidget*>())
+            if (!dock->isHidden())
+                names << dock->objectName();
+        names.sort();
+        return names;
+    }
+    static int choices(const Setting& setting)
+    {
+        return setting.choices.empty() ? 2 : int(setting.choices.size());
+    }
+    /// Calls `look` with every setting.
+    static void forEach(const std::function<void(const Setting&)>& look)
+    {
+        for (const SettingsGroup& group : notEmpty(settingsGroups()))
+            for (const Setting& setting : notEmpty(group.settings))
+                look(setting);
+    }
+
+private slots:
+    void everySheetTakesThePlaceOfThePanels()
+    {
+        for (const SheetInfo& info : notEmpty(sheets())) {
+            TestWindow t;
+            t.show();
+            t.open(t.twoLines());
+            const QStringList panels = shownPanels(t);
+            QVERIFY(!panels.isEmpty());
+            const app::View view = t.window->canvas().view();
+            showSheet(*t.window, info.key);
+            Sheet* sheet = t.window->sheet();
+            QVERIFY(sheet && sheet->isVisible());
+            QCOMPARE(sheet->objectName().toStdString(), std::string(info.key));
+            QVERIFY(!sheet->accessibleName().isEmpty());
+            QCOMPARE(shownPanels(t), QStringList());
+            QVERIFY(sheet->isAncestorOf(QApplication::focusWidget()));
+            QCOMPARE(sheet->mapTo(t.window.get(), sheet->rect().topRight()).x(),
+                     t.window->width() - 1);
+            QVERIFY(t.window->canvas().isVisible());
+            showSheet(*t.window, info.key); // it is the same
+            QCOMPARE(t.window->sheet(), sheet);
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+            QCOMPARE(t.window->sheet(), nullptr);
+            QCOMPARE(shownPanels(t), panels);
+            QVERIFY(t.drawingArea()->hasFocus());
+            QCOMPARE(t.window->canvas().view().zoom, view.zoom);
+        }
+    }
+
+    void theDrawingStaysAliveBesideASheet()
+    {
+        TestWindow t;
+        t.show();
+        t.open(t.twoLines());
+        t.run("settings");
+        t.window->canvas().setFocus();
+        t.run("select-all");
+        t.run("delete");
+        QVERIFY(t.window->session().now().objects().empty());
+        QVERIFY(t.window->sheet());
+        t.run("undo");
+        QTest::keyClick(t.drawingArea(), Qt::Key_Escape); // deselects, or closes the sheet
+        QTest::keyClick(t.drawingArea(), Qt::Key_Escape);
+        QCOMPARE(t.window->sheet(), nullptr);
+    }
+
+    void aWantedPanelClosesTheSheet()
+    {
+        TestWindow t;
+        t.show();
+        t.run("settings");
+        t.run("compare-live");
+        QCOMPARE(t.window->sheet(), nullptr);
+        QVERIFY(t.window->showsPanel("compare"));
+        t.run("settings");
+        t.run("workspace-draw");
+        QCOMPARE(t.window->sheet(), nullptr);
+        QVERIFY(t.window->showsPanel("layers"));
+    }
+
+    void theSheetStaysBesideTheMicroscopeAndWhilePresenting()
+    {
+        TestWindow t;
+        t.show();
+        t.open(t.twoLines());
+        const QStringList panels = shownPanels(t);
+        t.run("settings");
+        for (const char* mode : {"microscope", "presentation"}) {
+            t.run(mode);
+            QVERIFY(t.window->sheet() && t.window->sheet()->isVisible());
+            QCOMPARE(shownPanels(t), QStringList());
+            t.run(mode);
+        }
+        t.window->closeSheet();
+        QCOMPARE(shownPanels(t), panels);
+    }
+
+    void everySettingTakesEffectAndIsReset()
+    {
+        TestWindow t;
+        t.show();
+        t.run("settings");
+        forEach([&t](const Setting& setting) {
+            MainWindow& window = *t.window;
+            const int standard = setting.standard(window);
+            for (int value = 0; value < choices(setting); ++value) {
+                change(setting, window, value);
+                QCOMPARE(setting.value(window), value);
+                auto* reset = window.sheet()->findChild<QAbstractButton*>("reset-" + setting.key);
+                QCOMPARE(reset->isHidden(), value == standard);
+                if (const auto* box = window.sheet()->findChild<QAbstractButton*>(
+                        QStringLiteral("setting-") + setting.key))
+                    QCOMPARE(box->isChecked(), value == 1);
+                if (const auto* row = window.sheet()->findChild<Segments*>(
+                        QStringLiteral("setting-") + setting.key))
+                    QCOMPARE(row->chosen(), value);
+                if (value != standard)
+                    reset->click();
+                QCOMPARE(setting.value(window), standard);
+            }
+        });
+    }
+
+    void aClickSetsAndAllIsReset()
+    {
+        TestWindow t;
+        t.show();
+        t.run("settings");
+        const auto click = [&t](const char* name) {
+            t.window->sheet()->findChild<QAbstractButton*>(name)->click();
+        };
+        click("setting-capsule-shown");
+        QVERIFY(!t.window->canvas().showsCapsule());
+        click("setting-snap");
+        QVERIFY(!t.window->canvas().snaps());
+        click("reset-settings");
+        QVERIFY(t.window->canvas().showsCapsule() && t.window->canvas().snaps());
+        click("done");
+        QCOMPARE(t.window->sheet(), nullptr);
+    }
+
+    /// Those that a drawing brings are not.
+    void settingsAreRemembered()
+    {
+        TestWindow t;
+        const auto other = [](const Setting& setting, const MainWindow& window) {
+            return setting.standard(window) == 0 ? 1 : 0;
+        };
+        forEach([&](const Setting& s) { change(s, *t.window, other(s, *t.window)); });
+        t.window = windowWithMenus();
+        forEach([&](const Setting& setting) {
+            if (setting.key != u"unit")
+                QCOMPARE(setting.value(*t.window), other(setting, *t.window));
+        });
+        forEach([&](const Setting& s) { change(s, *t.window, s.standard(*t.window)); });
+    }
+
+    void everySettingHasCommands()
+    {
+        const TestWindow t;
+        QStringList names;
+        for (const QAction* action : commands(*t.window))
+            names << action->objectName();
+        forEach([&names](const Setting& setting) {
+            if (setting.choices.empty())
+                QVERIFY2(names.contains(setting.key), qPrintable(setting.key));
+            for (const Setting::Choice& choice : setting.choices)
+                QVERIFY2(setting.key == u"theme" || names.contains(choice.key),
+                         qPrintable(choice.key));
+        });
+    }
+
+    void theSheetFitsSmallWindows()
+    {
+        TestWindow t;
+        t.window->resize(1024, 640);
+        t.show();
+        t.run("settings");
+        const auto* scrolled = t.window->sheet()->findChild<QScrollArea*>();
+        QVERIFY(t.window->sheet()->width() < 420);
+        QVERIFY(scrolled->widget()->minimumSizeHint().width() <= scrolled->viewport()->width());
+        t.window->resize(1440, 900);
+        QTRY_COMPARE(t.window->sheet()->width(), 420);
+    }
+};
+
+} // namespace ui::sheets_settings_sheet_test
+
+TEST_CLASS(ui::sheets_settings_sheet_test::SettingsSheetTest, Widgets)
+#include "tests/ui/sheets/settings_sheet_test.moc"

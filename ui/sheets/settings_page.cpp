@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sheets/settings_page.h"
+
+#include "ui/look/look.h"
+#include "ui/look/text.h"
+#include "ui/widgets/buttons.h"
+#include "ui/widgets/elements.h"
+#include "ui/widgets/look_label.h"
+#include "ui/widgets/segments.h"
+#include "ui/window/main_window.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+
+namespace ui {
+
+SettingsPage::SettingsPage(MainWindow& window, QWidget* parent) : QWidget(parent), window_(window)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    for (const SettingsGroup& group : settingsGroups())
+        addGroup(group);
+    column->addStretch();
+}
+
+void SettingsPage::addGroup(const SettingsGroup& group)
+{
+    auto& column = static_cast<QVBoxLayout&>(*layout());
+    if (column.count() > 0)
+        column.addWidget(rule(Qt::Horizontal));
+    auto* grid = new QGridLayout;
+    grid->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
+                             space::dockMargin);
+    grid->setHorizontalSpacing(space::labelToField);
+    grid->setVerticalSpacing(5);
+    grid->setColumnStretch(1, 1);
+    auto* title = new QLabel(group.title);
+    title->setFont(semiBold(font()));
+    grid->addWidget(title, 0, 0, 1, 3);
+    for (const Setting& setting : group.settings)
+        addSetting(setting, *grid);
+    column.addLayout(grid);
+}
+
+void SettingsPage::addSetting(const Setting& setting, QGridLayout& grid)
+{
+    const int row = grid.rowCount();
+    setting.choices.empty() ? addSwitch(setting, grid, row) : addChoices(setting, grid, row);
+    addReset(setting, grid, row);
+}
+
+void SettingsPage::addSwitch(const Setting& setting, QGridLayout& grid, int row)
+{
+    auto* box = new QCheckBox(setting.text);
+    box->setObjectName(QStringLiteral("setting-") + setting.key);
+    box->setToolTip(setting.tip);
+    grid.addWidget(box, row, 0, 1, 2);
+    connect(box, &QCheckBox::clicked, this,
+            [this, &setting](bool on) { change(setting, window_, on); });
+    const auto follow = [this, box, &setting] { box->setChecked(setting.value(window_) == 1); };
+    connect(&window_, &MainWindow::actionsOutdated, box, follow);
+    follow();
+}
+
+void SettingsPage::addChoices(const Setting& setting, QGridLayout& grid, int row)
+{
+    QStringList texts;
+    for (const Setting::Choice& choice : setting.choices)
+        texts << choice.text;
+    auto* choices = new Segments(setting.text, texts);
+    choices->setObjectName(QStringLiteral("setting-") + setting.key);
+    choices->setToolTip(setting.tip);
+    auto* label = quietLabel(setting.text);
+    label->setToolTip(setting.tip);
+    grid.addWidget(label, row, 0);
+    grid.addWidget(choices, row, 1, Qt::AlignLeft);
+    connect(choices, &Segments::picked, this,
+            [this, &setting](int chosen) { change(setting, window_, chosen); });
+    const auto follow = [this, choices, &setting] {
+        const int now = setting.value(window_);
+        now < 0 ? choices->chooseNone() : choices->choose(now);
+    };
+    connect(&window_, &MainWindow::actionsOutdated, choices, follow);
+    follow();
+}
+
+/// It is seen only where it would change something, and keeps its place.
+void SettingsPage::addReset(const Setting& setting, QGridLayout& grid, int row)
+{
+    auto* reset = iconButton("undo", Text::tr("Reset “%1” to standard").arg(setting.text));
+    reset->setObjectName(QStringLiteral("reset-") + setting.key);
+    reset->setFocusPolicy(Qt::TabFocus);
+    QSizePolicy policy = reset->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    reset->setSizePolicy(policy);
+    grid.addWidget(reset, row, 2);
+    connect(reset, &QToolButton::clicked, this, [this, reset, &setting] {
+        focusNextChild(); // it is about to be hidden
+        change(setting, window_, setting.standard(window_));
+    });
+    const auto follow = [this, reset, &setting] {
+        reset->setVisible(setting.value(window_) != setting.standard(window_));
+    };
+    connect(&window_, &MainWindow::actionsOutdated, reset, follow);
+    follow();
+}
+
+void SettingsPage::reset()
+{
+    for (const SettingsGroup& group : settingsGroups())
+        for (const Setting& setting : group.settings)
+            if (setting.value(window_) != setting.standard(window_))
+                setting.set(window_, setting.standard(window_));
+    window_.refreshActions();
+}
+
+} // namespace ui
+
+#include "moc_settings_page.cpp"
