@@ -47,6 +47,7 @@ class HostileSettingsTest : public QObject {
                 "darkPaper",
                 "capsule",
                 "palette/recent",
+                "shortcuts",
                 "lessons/done"};
     }
 
@@ -94,6 +95,8 @@ private slots:
         QTest::newRow("huge place") << QVariant("0,0 30000x20000");
         QTest::newRow("far place") << QVariant("-99999,99999 30000x20000 maximized");
         QTest::newRow("list") << QVariant(QStringList(3000, "x"));
+        QTest::newRow("shortcuts") << QVariant(
+            QStringList{"undo\tCtrl+S", "nonsense\tF5", "save\t" + QString(10'000, u'S'), "\t\t"});
         QTest::newRow("panes") << QVariant("4 99 exact exact exact exact");
     }
     void theProgramStartsWithGarbageInEveryKey()

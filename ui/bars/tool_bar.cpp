@@ -36,8 +36,12 @@ QAction* ToolBar::makeAction(const ToolInfo& tool)
     action->setObjectName(QStringLiteral("tool-") + app::latin(tool.key));
     action->setShortcut(tool.shortcut);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    action->setToolTip(
-        Text::tr("%1 (%2)").arg(tool.name, tool.shortcut.toString(QKeySequence::NativeText)));
+    const auto showKey = [action, &tool] {
+        const QString key = action->shortcut().toString(QKeySequence::NativeText);
+        action->setToolTip(key.isEmpty() ? tool.name : Text::tr("%1 (%2)").arg(tool.name, key));
+    };
+    connect(action, &QAction::changed, action, showKey);
+    showKey();
     action->setCheckable(true);
     connect(action, &QAction::triggered, &canvas_, [this, key = tool.key] {
         session_.microscope.close();

@@ -91,6 +91,8 @@ void Canvas::setSnapping(app::SnapTo to) { parts_->controller.held().setSnapping
 bool Canvas::snaps() const { return parts_->controller.held().snaps(); }
 void Canvas::switchSnapping(bool on) { parts_->controller.held().setSnapping(snapping(), on); }
 bool Canvas::actsOnWindow() const { return parts_->controller.actsOnWindow(); }
+void Canvas::leaveKeysToCommands() { parts_->controller.leaveKeysToCommands(); }
+
 bool Canvas::showsCapsule() const { return parts_->ofWindow.isOn(); }
 std::optional<app::Numbers> Canvas::keptNumbers(std::string_view tool) const
 {

@@ -134,8 +134,14 @@ bool capsuleKey(const QKeyEvent& event, Controller& controller)
     return true;
 }
 
+struct Use {
+    bool (*take)(const QKeyEvent& event, Controller& controller);
+    bool isOfCommand = false; ///< left to the commands, where these have keys
+};
 /// In the order in which they are asked.
-constexpr std::array uses{escape, arrow, viewKey, toolKey, transformKey, windowKey, capsuleKey};
+constexpr std::array uses{
+    Use{escape},    Use{arrow},     Use{viewKey, true}, Use{toolKey, true}, Use{transformKey, true},
+    Use{windowKey}, Use{capsuleKey}};
 
 } // namespace
 
@@ -162,8 +168,9 @@ bool pressKey(QKeyEvent& event, Controller& controller)
         [&](Tool& tool, Workbench& bench) { used = tool.as<TakesKeys>().key(event, bench); });
     if (used)
         controller.typing().steer(); // the key may have changed what is measured
-    return used
-           || std::ranges::any_of(uses, [&](const auto& use) { return use(event, controller); });
+    return used || std::ranges::any_of(uses, [&](const Use& use) {
+               return !(use.isOfCommand && controller.leavesKeys()) && use.take(event, controller);
+           });
 }
 
 bool releaseKey(const QKeyEvent& event, Controller& controller)

@@ -53,6 +53,9 @@ public:
     /// digitsChoose() allows: the canvas takes the digits of a gesture before.
     app::DigitUse digitUse() const { return app::digitUse(digitPlace()); }
     bool digitsChoose() const; ///< outside gestures
+    /// Tools, transformations and views have keys by commands, which the person may change.
+    void leaveKeysToCommands() { leavesKeys_ = true; }
+    bool leavesKeys() const { return leavesKeys_; }
 
     /// Handles an event of a widget that shows the drawing; true if the event was consumed.
     bool handle(QEvent& event);
@@ -88,6 +91,7 @@ private:
     Look look_;
     app::Display shown_; ///< except the algorithm, which each pane has of its own
     QRectF capsulePlace_;
+    bool leavesKeys_ = false;
     std::pair<QString, app::DigitUse> told_{}; ///< the hint and what a digit does
     app::ObjectRanges inspectedSelection_;     ///< the last one that inspectOnly() has seen
 };

@@ -6,6 +6,7 @@
 #include "ui/menus/context_menus.h"
 #include "ui/menus/further_commands.h"
 #include "ui/menus/other_windows.h"
+#include "ui/sheets/command_keys.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -126,6 +127,7 @@ void addMenus(MainWindow& window)
         }
     }
     addSettingCommands(window);
+    new CommandKeys(window);
     addContextMenus(window);
     qApp->installEventFilter(new MenuKeys(&window));
     window.refreshActions();

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/settings/key_table.h"
+
+namespace app {
+
+/// Why a key cannot be the shortcut of any command of this scope, in one sentence; empty: it can.
+QString whyNoShortcut(const QKeySequence& key, KeyedCommand::Scope scope);
+
+} // namespace app

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sheets/command_keys.h"
+#include "ui/sheets/key_field.h"
+#include "ui/sheets/key_model.h"
+#include "ui/sheets/settings_sheet.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QTextBrowser>
+
+#include "tests/not_empty.h"
+#include "tests/test_class.h"
+#include "tests/ui/test_window.h"
+
+namespace ui::sheets_keyboard_page_test {
+
+using K = QKeySequence;
+using Keys = QList<QKeySequence>;
+
+namespace {
+
+/// A window with the page *Keyboard* open.
+class Page {
+public:
+    Page()
+    {
+        t.show();
+        t.open(t.twoLines());
+        t.run("settings");
+        sheet().turnTo(SettingsSheet::Keyboard);
+    }
+    SettingsSheet& sheet() const { return static_cast<SettingsSheet&>(*t.window->sheet()); }
+    template <class Part>
+    Part* part(const char* name) const
+    {
+        return sheet().findChild<Part*>(QLatin1StringView(name));
+    }
+    QTableView& table() const { return *part<QTableView>("keys"); }
+    KeyModel& model() const { return static_cast<KeyModel&>(*table().model()); }
+    const app::KeyTable& keys() const { return CommandKeys::of(*t.window).table(); }
+    std::size_t numberOf(const char* command) const
+    {
+        const auto& all = keys().commands();
+        return std::size_t(std::ranges::find(all, QString(command), &app::KeyedCommand::key)
+                           - all.begin());
+    }
+    void choose(const char* command) const { table().selectRow(model().rowOf(numberOf(command))); }
+    void press(Qt::Key key, Qt::KeyboardModifiers with = {}) const
+    {
+        auto* field = part<KeyField>("new-key");
+        field->setFocus();
+        QTest::keyClick(field, key, with);
+    }
+    void click(const char* button) const { part<QPushButton>(button)->click(); }
+    QString answer() const { return part<QLabel>("key-answer")->text(); }
+    Keys keysOf(const char* command) const { return t.action(command)->shortcuts(); }
+
+    TestWindow t;
+};
+
+} // namespace
+
+class KeyboardPageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyCommandWithANameIsListedOnce()
+    {
+        const Page page;
+        QStringList listed;
+        for (int row = 0; row < page.model().rowCount(); ++row)
+            if (const auto command = page.model().command(row))
+                listed << page.keys().commands()[*command].key;
+        QVERIFY(listed.size() > 150);
+        QCOMPARE(listed.removeDuplicates(), 0);
+        for (const char* key : {"save", "undo", "tool-line", "panel-layers", "unit-mm", "crop"})
+            QVERIFY2(listed.contains(key), key);
+    }
+
+    /// Otherwise the table would begin with a key that does two things.
+    void noTwoCommandsHaveTheSameStandardKey()
+    {
+        const Page page;
+        for (std::size_t i = 0; i < page.keys().commands().size(); ++i)
+            for (const K& key : page.keys().keys(i)) {
+                const auto other = page.keys().holder(key, i);
+                QVERIFY2(!other, qPrintable(page.keys().commands()[i].name + ' '
+                                            + page.keys().commands()[other.value_or(0)].name));
+            }
+    }
+
+    void aPressedKeyIsTheKeyOfTheCommandFromNowOn()
+    {
+        Page page;
+        page.choose("split");
+        page.press(Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
+        QCOMPARE(page.keysOf("split"), Keys{K("Ctrl+Alt+J")});
+        QCOMPARE(page.part<KeyField>("new-key")->text(), QStringLiteral("Ctrl+Alt+J"));
+        QCOMPARE(page.answer(), QString());
+        page.t.run("shortcuts");
+        const auto* help = page.t.window->findChild<QTextBrowser*>();
+        QVERIFY(help->toPlainText().contains("Split at windows\nCtrl+Alt+J"));
+        page.t.window = windowWithMenus(); // remembered
+        QCOMPARE(page.keysOf("split"), Keys{K("Ctrl+Alt+J")});
+    }
+
+    void theNewKeyOfAToolWorksOnTheCanvas()
+    {
+        Page page;
+        page.choose("tool-star");
+        page.press(Qt::Key_F, Qt::ShiftModifier);
+        QCOMPARE(page.keysOf("tool-star"), Keys{K("Shift+F")});
+        QVERIFY(page.t.action("tool-star")->toolTip().contains("Shift+F"));
+        page.t.window->canvas().setFocus();
+        QTest::keyClick(page.t.drawingArea(), Qt::Key_S);
+        QVERIFY(page.t.window->canvas().tool() == "select");
+        QTest::keyClick(page.t.drawingArea(), Qt::Key_F, Qt::ShiftModifier);
+        QVERIFY(page.t.window->canvas().tool() == "star");
+    }
+
+    void aKeyOfAnotherCommandIsOfferedAndTakenOver()
+    {
+        const Page page;
+        page.choose("crop");
+        page.press(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(page.answer(), QStringLiteral("Ctrl+Z belongs to “Undo”."));
+        QVERIFY(page.keysOf("undo").contains(K("Ctrl+Z")));
+        QVERIFY(!page.part<QPushButton>("take-key")->isHidden());
+        page.click("take-key");
+        QCOMPARE(page.keysOf("crop"), Keys{K("Ctrl+Z")});
+        QVERIFY(!page.keysOf("undo").contains(K("Ctrl+Z")));
+        QVERIFY(page.answer().contains("“Undo”"));
+        QVERIFY(page.part<QPushButton>("take-key")->isHidden());
+    }
+
+    void anOfferEndsWithTheChoice()
+    {
+        const Page page;
+        page.choose("crop");
+        page.press(Qt::Key_Z, Qt::ControlModifier);
+        page.choose("split");
+        QVERIFY(page.part<QPushButton>("take-key")->isHidden());
+        QCOMPARE(page.answer(), QString());
+    }
+
+    void aKeyThatCannotBeIsRefused()
+    {
+        const Page page;
+        page.choose("save");
+        for (const auto& [key, with] :
+             {std::pair(Qt::Key_B, Qt::NoModifier), std::pair(Qt::Key_Space, Qt::NoModifier),
+              std::pair(Qt::Key_F, Qt::AltModifier)}) {
+            page.press(key, with);
+            QVERIFY(page.answer().endsWith(u'.'));
+            QVERIFY(page.part<QPushButton>("take-key")->isHidden());
+            QCOMPARE(page.keysOf("save").front(), K("Ctrl+S"));
+        }
+        QVERIFY(page.answer().contains("the menu File"));
+    }
+
+    void keysOfTheCanvasItselfAreListedAndStay()
+    {
+        const Page page;
+        page.choose("keep-outside");
+        QVERIFY(!page.part<KeyField>("new-key")->isEnabled());
+        QVERIFY(page.answer().contains("canvas itself"));
+        page.choose("tool-line");
+        page.press(Qt::Key_X);
+        QVERIFY(page.answer().contains("“Keep outside”"));
+        QCOMPARE(page.keysOf("tool-line"), Keys{K("L")});
+    }
+
+    void keysAreRemovedAndReset()
+    {
+        const Page page;
+        const Keys standard = page.keysOf("redo");
+        QVERIFY(!page.part<QPushButton>("reset-keys")->isEnabled());
+        page.choose("redo");
+        page.click("remove-keys");
+        QCOMPARE(page.keysOf("redo"), Keys());
+        QVERIFY(!page.part<QPushButton>("remove-keys")->isEnabled());
+        page.click("reset-keys");
+        QCOMPARE(page.keysOf("redo"), standard);
+        page.click("remove-keys");
+        page.choose("group");
+        page.press(Qt::Key_F10);
+        page.click("reset-settings");
+        QCOMPARE(page.keysOf("redo"), standard);
+        QCOMPARE(page.keysOf("group"), Keys{K("Ctrl+G")});
+        QVERIFY(QSettings().value("shortcuts").toStringList().isEmpty());
+    }
+
+    void commandsAreFoundByNameMenuAndKey()
+    {
+        const Page page;
+        const auto found = [&page](const char* words) {
+            page.part<QLineEdit>("find-key")->setText(words);
+            QStringList names;
+            for (int row = 0; row < page.model().rowCount(); ++row)
+                if (page.model().command(row))
+                    names << page.model().index(row, 0).data().toString();
+            return names;
+        };
+        QCOMPARE(found("crop"), QStringList("Crop to windows"));
+        QCOMPARE(found("ctrl+shift+x"), QStringList("Crop to windows"));
+        QVERIFY(found("file sa").contains("Save as"));
+        QCOMPARE(found("zzzz"), QStringList());
+        QVERIFY(!page.part<KeyField>("new-key")->isEnabled());
+        QVERIFY(found("").size() > 150);
+    }
+
+    void keysGoToTheFieldAndNotToCommands()
+    {
+        Page page;
+        page.choose("split");
+        const std::string tool(page.t.window->canvas().tool());
+        page.press(Qt::Key_W);
+        QCOMPARE(std::string(page.t.window->canvas().tool()), tool);
+        page.press(Qt::Key_Shift, Qt::ShiftModifier); // waits
+        QVERIFY(page.keysOf("split").isEmpty());
+        QTest::keyClick(page.part<KeyField>("new-key"), Qt::Key_Escape);
+        QVERIFY(page.table().hasFocus() && page.t.window->sheet());
+        QTest::keyClick(&page.table(), Qt::Key_Return);
+        QVERIFY(page.part<KeyField>("new-key")->hasFocus());
+    }
+
+    void garbageInTheSettingsIsToldOnce()
+    {
+        TestWindow t;
+        QSettings().setValue("shortcuts", QStringList{"save\tnonsense", "?", "quit\tCtrl+J"});
+        t.window = windowWithMenus();
+        QVERIFY(t.window->message().contains("keyboard shortcuts"));
+        QVERIFY(t.action("save")->shortcuts().contains(K("Ctrl+S")));
+        QCOMPARE(t.action("quit")->shortcuts(), Keys{K("Ctrl+J")});
+    }
+};
+
+} // namespace ui::sheets_keyboard_page_test
+
+TEST_CLASS(ui::sheets_keyboard_page_test::KeyboardPageTest, Widgets)
+#include "tests/ui/sheets/keyboard_page_test.moc"

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sheets/command_keys.h"
+
+#include "ui/look/text.h"
+#include "ui/window/keyboard.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+
+namespace ui {
+
+namespace {
+
+QString withoutLetter(QString text) { return text.remove(u'&').remove(u'…'); }
+
+/// Empty: it has no name of its own, such as a recent file.
+QString keyOf(const QAction& action)
+{
+    if (const auto* panel = qobject_cast<const QDockWidget*>(action.parent()))
+        return QStringLiteral("panel-") + panel->objectName();
+    return action.objectName();
+}
+
+app::KeyedCommand::Scope scopeOf(const QAction& action)
+{
+    using enum app::KeyedCommand::Scope;
+    return action.shortcutContext() == Qt::WidgetShortcut               ? Fixed
+           : action.shortcutContext() == Qt::WidgetWithChildrenShortcut ? Canvas
+                                                                        : Everywhere;
+}
+
+struct Commands {
+    std::vector<QAction*> actions;
+    std::vector<app::KeyedCommand> rows;
+};
+
+void add(const QWidget& menu, const QString& title, Commands& all)
+{
+    for (QAction* action : menu.actions()) {
+        const QString name = withoutLetter(action->text());
+        if (action->menu()) {
+            add(*action->menu(), title.isEmpty() ? name : title + QStringLiteral(" › ") + name,
+                all);
+        } else if (!action->isSeparator() && !keyOf(*action).isEmpty()) {
+            all.actions.push_back(action);
+            all.rows.push_back(
+                {keyOf(*action), name, title, scopeOf(*action), action->shortcuts()});
+        }
+    }
+}
+
+/// Every command with a name, and the letters that open menus.
+Commands commandsOf(MainWindow& window)
+{
+    Commands all;
+    add(*window.menuBar(), {}, all);
+    add(furtherCommands(window), {}, all);
+    for (const QAction* menu : window.menuBar()->actions()) {
+        all.actions.push_back(nullptr);
+        all.rows.push_back({{},
+                            Text::tr("the menu %1").arg(withoutLetter(menu->text())),
+                            {},
+                            app::KeyedCommand::Scope::Fixed,
+                            {QKeySequence::mnemonic(menu->text())}});
+    }
+    return all;
+}
+
+} // namespace
+
+CommandKeys::CommandKeys(MainWindow& window) : QObject(&window), window_(window), table_({})
+{
+    Commands all = commandsOf(window);
+    actions_ = std::move(all.actions);
+    table_ = app::KeyTable(std::move(all.rows), QSettings().value("shortcuts").toStringList());
+    apply();
+    window.canvas().leaveKeysToCommands();
+    if (table_.ignored() > 0)
+        window.tell({Message::Kind::Warning,
+                     Text::tr("Some keyboard shortcuts in the settings could not be used and were "
+                              "ignored.")});
+}
+
+CommandKeys& CommandKeys::of(MainWindow& window)
+{
+    return *window.findChild<CommandKeys*>(QString(), Qt::FindDirectChildrenOnly);
+}
+
+void CommandKeys::change(const std::function<void(app::KeyTable&)>& step)
+{
+    step(table_);
+    apply();
+    QSettings().setValue("shortcuts", table_.saved());
+    emit changed();
+}
+
+void CommandKeys::apply()
+{
+    for (std::size_t i = 0; i < actions_.size(); ++i)
+        if (actions_[i] && actions_[i]->shortcuts() != table_.keys(i))
+            actions_[i]->setShortcuts(table_.keys(i));
+}
+
+} // namespace ui
+
+#include "moc_command_keys.cpp"
