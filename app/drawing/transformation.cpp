@@ -42,16 +42,18 @@ std::span<const Transformation> transformations()
 {
     static const std::array all{
         Transformation{"move", u'G', Text::tr("&Move"), Text::tr("Move selection"),
-                       Text::tr("Select what to move first, with the Select tool (V)."),
+                       Text::tr("Select what to move first, with the Select tool ({tool-select})."),
                        moveMeasure, move, true},
-        Transformation{"rotate", u'O', Text::tr("&Rotate"), Text::tr("Rotate selection"),
-                       Text::tr("Select what to rotate first, with the Select tool (V)."),
-                       rotationMeasure, rotate},
-        Transformation{"scale", u'K', Text::tr("&Scale"), Text::tr("Scale selection"),
-                       Text::tr("Select what to scale first, with the Select tool (V)."),
-                       scalingMeasure, scale},
+        Transformation{
+            "rotate", u'O', Text::tr("&Rotate"), Text::tr("Rotate selection"),
+            Text::tr("Select what to rotate first, with the Select tool ({tool-select})."),
+            rotationMeasure, rotate},
+        Transformation{
+            "scale", u'K', Text::tr("&Scale"), Text::tr("Scale selection"),
+            Text::tr("Select what to scale first, with the Select tool ({tool-select})."),
+            scalingMeasure, scale},
         Transformation{"skew", u'J', Text::tr("S&kew"), Text::tr("Skew selection"),
-                       Text::tr("Select what to skew first, with the Select tool (V)."),
+                       Text::tr("Select what to skew first, with the Select tool ({tool-select})."),
                        skewMeasure, skew},
     };
     return all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/node_editing.h"
 
+#include "app/base/keys_in_use.h"
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/commands/change_paths.h"
@@ -289,7 +290,8 @@ QString NodeEditing::refusal(const NodeStep& step) const
         return lockedSentence(selection.first());
     if (step.needsNodes && !someSelected())
         return shown_ ? Text::tr("No node is selected. Click a node, or press Tab.")
-                      : Text::tr("Choose the tool Nodes (N) and select a node first.");
+                      : withKeys(Text::tr(
+                          "Choose the tool Nodes ({tool-nodes}) and select a node first."));
     // Without the tool, nodes are read only when the step is taken.
     return shown_ || !outdated_ ? step.refusal(summary()) : QString();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/node_numbers.h"
 
+#include "app/base/keys_in_use.h"
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/document/direction.h"
@@ -91,8 +92,8 @@ bool differ(double a, double b)
 std::span<const NodeNumber> nodeNumbers()
 {
     using enum HandleSide;
-    static const QString none =
-        Text::tr("There is no handle on this side. Turn the segment into a curve (Shift+U).");
+    static const QString none = Text::tr(
+        "There is no handle on this side. Turn the segment into a curve ({curve-segments}).");
     static const std::array all{
         NodeNumber{"node-x",
                    Text::tr("X"),
@@ -145,8 +146,8 @@ bool setNodeNumber(Session& session, const NodeNumber& number, double value, Mer
                                    merging);
     emit session.refused(
         number.quantity == Quantity::Length
-            ? Text::tr("A handle must be longer than 0. To remove it, turn the segment into a line "
-                       "(Shift+L).")
+            ? withKeys(Text::tr("A handle must be longer than 0. To remove it, turn the segment "
+                                "into a line ({straighten-segments})."))
             : Text::tr("%1 cannot be set to this number.").arg(number.name));
     return false;
 }

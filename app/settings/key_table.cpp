@@ -11,7 +11,7 @@ namespace app {
 
 namespace {
 
-constexpr qsizetype mostEntries = 2000, longestEntry = 200; // of a settings file
+constexpr qsizetype mostEntries = 500, longestEntry = 200; // of a settings file
 constexpr QChar between = u'\t';
 
 } // namespace

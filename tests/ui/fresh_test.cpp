@@ -2,6 +2,8 @@
 // Every widget of the program is open while everything changes elsewhere. After each change it must
 // show the same as one that is made then: the same texts, states, items, and pixels on the screen.
 // CLEARCUT_CHANGES and CLEARCUT_SEED set the number of changes and the seed.
+#include "ui/sheets/sheets.h"
+
 #include <QDirIterator>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -152,6 +154,7 @@ private slots:
     {
         TestWindow test;
         test.show();
+        test.run("settings");
         Desk desk(fromEnvironment("CLEARCUT_SEED", 2), *test.window);
         Changes changes(desk);
         for (quint64 i = 0; i < changes.number(); ++i) {
@@ -173,6 +176,8 @@ private slots:
         for (const QString& name : lived.classes())
             seen << lastPart(name);
         TestWindow test;
+        for (const SheetInfo& sheet : sheets())
+            showSheet(*test.window, sheet.key);
         for (const QWidget* part : test.window->findChildren<QWidget*>())
             seen << lastPart(classOf(*part));
         seen << "MainWindow";

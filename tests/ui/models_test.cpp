@@ -12,6 +12,7 @@
 #include "ui/hard_cases/case_list.h"
 #include "ui/menus/palette_list.h"
 #include "ui/microscope/variable_model.h"
+#include "ui/sheets/key_model.h"
 #include "ui/widgets/table_model.h"
 
 #include <QAbstractItemModelTester>
@@ -126,6 +127,18 @@ const std::vector<Row>& rows()
              return std::make_unique<HistoryModel>(session.history);
          },
          nullptr},
+        {"KeyModel",
+         [](app::Session&) -> Model {
+             auto model = std::make_unique<KeyModel>();
+             model->show(app::KeyTable({{QStringLiteral("save"),
+                                         QStringLiteral("Save"),
+                                         QStringLiteral("File"),
+                                         {},
+                                         {}}}),
+                         {});
+             return model;
+         },
+         alone<KeyModel>},
         {"LayerModel", ofSession<LayerModel>, nullptr},
         {"PaletteModel",
          [](app::Session&) -> Model {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/arrange_row.h"
 
+#include "app/base/text.h"
 #include "app/session/arrange_selection.h"
 #include "app/session/arrangements.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -34,6 +36,7 @@ ArrangeRow::ArrangeRow(app::Session& session, QWidget* parent)
     addOptions(*row);
     connect(&session, &app::Session::selectionChanged, this, &ArrangeRow::follow);
     connect(&session, &app::Session::displayChanged, this, &ArrangeRow::follow);
+    connect(&KeyNews::get(), &KeyNews::changed, this, &ArrangeRow::follow);
     connect(&session.document, &app::EditedDocument::changed, this, &ArrangeRow::follow,
             Qt::QueuedConnection); // the selection may not be updated yet
 }
@@ -105,8 +108,7 @@ void ArrangeRow::follow()
         return;
     for (const auto& [button, how] : buttons_) {
         const QString why = app::refusal(*how, session_);
-        const QString name =
-            how->shortcut.isEmpty() ? how->name : how->name + " (" + how->shortcut + ")";
+        const QString name = app::withKeys(how->name + " ({" + app::latin(how->key) + "})");
         button->setEnabled(why.isEmpty());
         button->setToolTip(why.isEmpty() ? name : name + u'\n' + why);
         button->setAccessibleDescription(why);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/grid_choice.h"
 
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -27,7 +28,7 @@ GridChoice::GridChoice(app::Session& session)
     switch_->setCheckable(true);
     switch_->setAutoRaise(true);
     switch_->setAccessibleName(Text::tr("Grid"));
-    switch_->setToolTip(Text::tr("Show the grid, and snap to it (Shift+F5)"));
+    setKeyTip(*switch_, Text::tr("Show the grid, and snap to it ({grid})"));
     spacing_->setToolTip(Text::tr("Grid spacing on paper"));
     new RoomForText(*spacing_, QStringLiteral("000.00 mm"), 28);
     connect(switch_, &QToolButton::clicked, this, [this](bool on) {

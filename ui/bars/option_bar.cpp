@@ -9,6 +9,7 @@
 #include "ui/bars/snap_choice.h"
 #include "ui/bars/window_options.h"
 #include "ui/editing/keeping.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -37,8 +38,8 @@ void showKeyInTip(QAction& action)
 {
     const auto refresh = [&action] {
         const QString text = action.text().remove(u'&').remove(u'…');
-        action.setToolTip(
-            Text::tr("%1 (%2)").arg(text, action.shortcut().toString(QKeySequence::NativeText)));
+        const QString key = action.shortcut().toString(QKeySequence::NativeText);
+        action.setToolTip(key.isEmpty() ? text : Text::tr("%1 (%2)").arg(text, key));
     };
     QObject::connect(&action, &QAction::changed, &action, refresh);
     refresh();
@@ -201,9 +202,8 @@ void OptionBar::addPanes()
     // Pane counts; the last choice is all.
     static constexpr std::array<std::size_t, 3> counts{1, 2, 4};
     panes_->setObjectName(QStringLiteral("panes"));
-    panes_->setToolTip(
-        Text::tr("Show the drawing in several panes, each with its own algorithm (Ctrl+1, "
-                 "Ctrl+2, Ctrl+4, Ctrl+9)"));
+    setKeyTip(*panes_, Text::tr("Show the drawing in several panes, each with its own algorithm "
+                                "({panes-1}, {panes-2}, {panes-4}, {panes-all})"));
     addGroup(
         [this] {
             addSeparator();

@@ -2,6 +2,7 @@
 #include "ui/bars/snap_choice.h"
 
 #include "app/base/text.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -28,7 +29,7 @@ SnapChoice::SnapChoice(Canvas& canvas) : canvas_(canvas), menu_(new TickingMenu(
     connect(this, &QToolButton::clicked, this, [this](bool on) { canvas_.switchSnapping(on); });
     connect(&canvas, &Canvas::snappingChanged, this, &SnapChoice::follow);
     connect(menu_, &QMenu::aboutToHide, &canvas, [&canvas] { canvas.setFocus(); });
-    follow();
+    followKeys(*this, [this] { follow(); });
 }
 
 void SnapChoice::keyPressEvent(QKeyEvent* event)
@@ -55,10 +56,12 @@ void SnapChoice::follow()
 {
     const app::SnapTo now = canvas_.snapping();
     setChecked(canvas_.snaps());
-    setToolTip(Text::tr("Snap to places of the drawing (F5). Hold Ctrl to suspend it.\n%1 of %2 "
-                        "kinds of places are chosen. Right click, or Alt+Down: choose them.")
-                   .arg(now.size())
-                   .arg(app::snapKinds().size()));
+    setToolTip(
+        app::withKeys(Text::tr("Snap to places of the drawing ({snap}). Hold Ctrl to suspend it.\n"
+                               "%1 of %2 kinds of places are chosen. Right click, or Alt+Down: "
+                               "choose them.")
+                          .arg(now.size())
+                          .arg(app::snapKinds().size())));
     for (const app::SnapKind& kind : app::snapKinds())
         menu_->findChild<QAction*>(app::latin(kind.key))->setChecked(now.has(kind));
 }

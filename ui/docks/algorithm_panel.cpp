@@ -3,6 +3,7 @@
 
 #include "app/session/window_in_hand.h"
 #include "ui/docks/algorithm_list.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/heading.h"
@@ -40,7 +41,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     instead_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // two lines, as verdict_
     instead_->setContentsMargins(space::dockMargin, 2, space::dockMargin, 0);
     instead_->setAccessibleName(Text::tr("Used instead"));
-    ask_->setToolTip(Text::tr("Check whether all algorithms give the same result (F7)"));
+    setKeyTip(*ask_, Text::tr("Check whether all algorithms give the same result ({agree})"));
 
     auto* form = new QHBoxLayout;
     form->setContentsMargins(space::dockMargin, 4, space::dockMargin, 0);

@@ -2,6 +2,7 @@
 #include "ui/docks/difference_panel.h"
 
 #include "app/base/numbers.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -38,11 +39,13 @@ DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(session), a_(new VariantBox(Text::tr("A"))),
       b_(new VariantBox(Text::tr("B"))), ulps_(new QSpinBox), tick_(new IconSign("tick", 16)),
       summary_(new LookLabel), explanation_(new LookLabel), position_(quietLabel({})),
-      previous_(iconButton("step-back", Text::tr("Previous difference (Shift+F4)"))),
-      next_(iconButton("step-on", Text::tr("Next difference (F4)"))), table_(new DenseTable)
+      previous_(iconButton("step-back", Text::tr("Previous difference"))),
+      next_(iconButton("step-on", Text::tr("Next difference"))), table_(new DenseTable)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
+    setKeyTip(*previous_, Text::tr("Previous difference ({previous-difference})"));
+    setKeyTip(*next_, Text::tr("Next difference ({next-difference})"));
     column->setSpacing(6);
     setBoth(firstA(), app::exactVariant());
     addChoosers();

@@ -5,6 +5,7 @@
 #include "app/base/text.h"
 #include "app/comparison/line_class.h"
 #include "app/view/ruler.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -59,7 +60,7 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     quiet.setColor(QPalette::Base, Qt::transparent);
     steps_->setPalette(quiet);
     microscope_->setIconSize({16, 16});
-    microscope_->setToolTip(Text::tr("Show how this line is clipped, step by step (F2)"));
+    setKeyTip(*microscope_, Text::tr("Show how this line is clipped, step by step ({microscope})"));
     connect(microscope_, &QPushButton::clicked, this, &LinePanel::microscopeWanted);
     auto* looking = new QHBoxLayout;
     looking->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);

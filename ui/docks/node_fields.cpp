@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/node_fields.h"
 
+#include "app/base/keys_in_use.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
@@ -69,7 +70,7 @@ void NodeFields::follow()
         const app::Unit unit = isAngle ? app::Unit::User : session_.display().unit;
         const double scale = isAngle ? 1 : size;
         fields_[i]->setEnabled(value.has_value());
-        fields_[i]->setToolTip(value ? numbers[i].name : numbers[i].missing);
+        fields_[i]->setToolTip(value ? numbers[i].name : app::withKeys(numbers[i].missing));
         if (value && value->mixed)
             fields_[i]->showMixed(value->first, unit, scale);
         else

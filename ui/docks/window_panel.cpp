@@ -10,6 +10,7 @@
 #include "ui/docks/window_fields.h"
 #include "ui/docks/window_list.h"
 #include "ui/editing/keeping.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/buttons.h"
@@ -124,8 +125,11 @@ QToolButton* WindowPanel::makeAdd()
 
 QWidget* WindowPanel::makeOffer()
 {
-    auto* text =
-        new QLabel(Text::tr("There is no clip window, so nothing is cut. Draw one (W), or:"));
+    auto* text = new QLabel;
+    followKeys(*text, [text] {
+        text->setText(app::withKeys(
+            Text::tr("There is no clip window, so nothing is cut. Draw one ({tool-window}), or:")));
+    });
     text->setWordWrap(true);
     auto* button = new QPushButton(Text::tr("Lay window on page"));
     button->setToolTip(Text::tr("Add a clip window that covers the whole page"));

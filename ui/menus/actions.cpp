@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/menus/actions.h"
 
+#include "app/base/keys_in_use.h"
 #include "app/base/text.h"
 #include "ui/look/look_icon.h"
 #include "ui/menus/context_menus.h"
 #include "ui/menus/further_commands.h"
 #include "ui/menus/other_windows.h"
 #include "ui/sheets/command_keys.h"
+#include "ui/window/keyboard.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -65,9 +67,10 @@ QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& 
     const auto refresh = [action, &row, &window] {
         const QString why = row.refusal ? row.refusal(window) : QString();
         action->setEnabled(why.isEmpty() && (!row.enabled || row.enabled(window)));
-        action->setStatusTip(action->isEnabled() ? QString() : row.refusal ? why : row.needs);
+        const QString needed = app::withKeys(row.refusal ? why : row.needs);
+        action->setStatusTip(action->isEnabled() ? QString() : needed);
         if (row.refusal)
-            action->setToolTip(why);
+            action->setToolTip(needed);
         if (row.checked)
             action->setChecked(row.checked(window));
     };
@@ -107,6 +110,19 @@ QMenu* addSubmenu(QMenu& menu, const QString& title)
     return submenu;
 }
 
+/// The place of a command without an entry, named as its entry would be.
+QMenu& furtherMenu(MainWindow& window, const QString& menu, const QString& submenu)
+{
+    const auto in = [](QMenu& above, const QString& title) -> QMenu& {
+        for (const QAction* action : above.actions())
+            if (action->menu() && action->text() == title)
+                return *action->menu();
+        return *above.addMenu(title);
+    };
+    QMenu& first = in(furtherCommands(window), menu);
+    return submenu.isEmpty() ? first : in(first, submenu);
+}
+
 } // namespace
 
 void addMenus(MainWindow& window)
@@ -119,6 +135,14 @@ void addMenus(MainWindow& window)
             info.begin(window, *menu);
         QMenu* submenu = nullptr; // of the row before
         for (const ActionInfo& row : info.rows) {
+            if (row.paletteOnly) {
+                QMenu& further = furtherMenu(window, info.title, row.submenu);
+                addRow(window, *others, row, further, groups);
+                for (QAction* action : further.actions())
+                    if (action->shortcutContext() == Qt::WindowShortcut && !action->menu())
+                        window.addAction(action); // its keys work, although the menu is not shown
+                continue;
+            }
             if (row.submenu.isEmpty())
                 submenu = nullptr;
             else if (!submenu || submenu->title() != row.submenu)

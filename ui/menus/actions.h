@@ -47,6 +47,7 @@ struct ActionInfo {
     /// (algorithms, panels …).
     void (*fill)(MainWindow& window, QMenu& menu) = nullptr;
     std::string_view tool = {}; ///< instead of all others: the entry of this tool
+    bool paletteOnly = false;   ///< no entry in the menu: in the palette, and where `made` puts it
     /// Puts the new action in a bar, too.
     void (*made)(MainWindow& window, QAction& action) = nullptr;
 };

@@ -125,7 +125,7 @@ void toggleTiles(MainWindow& window)
 QString whyNoTiles(const MainWindow& window)
 {
     if (window.isPresenting())
-        return Text::tr("Leave the presentation first (F11).");
+        return Text::tr("Leave the presentation first ({presentation}).");
     return window.session().scene.lines().size() == 0 ? Text::tr("The drawing is empty.")
                                                       : QString();
 }
@@ -142,7 +142,10 @@ ActionInfo occludeRow()
     };
 }
 
-QString noWindow() { return Text::tr("No clip window is visible. Draw one first (W)."); }
+QString noWindow()
+{
+    return Text::tr("No clip window is visible. Draw one first ({tool-window}).");
+}
 
 ActionInfo operationRow(const app::WindowOperationInfo& info)
 {

@@ -31,7 +31,7 @@ QAction* addCommand(MainWindow& window, QMenu& menu, const Setting& setting, con
     return action;
 }
 
-void addCommands(MainWindow& window, QMenu& menu, const Setting& setting)
+void addSettingTo(MainWindow& window, QMenu& menu, const Setting& setting)
 {
     if (setting.choices.empty()) {
         addCommand(window, menu, setting, setting.key,
@@ -53,7 +53,7 @@ void addSettingCommands(MainWindow& window)
     for (const SettingsGroup& group : settingsGroups())
         for (const Setting& setting : group.settings)
             if (setting.isOnlyHere)
-                addCommands(window, menu, setting);
+                addSettingTo(window, menu, setting);
 }
 
 } // namespace ui

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/keys_in_use.h"
 #include "ui/bars/option_bar.h"
 #include "ui/editing/editing.h"
 #include "ui/look/text.h"
@@ -64,8 +65,8 @@ std::vector<ActionInfo> styleRows()
                     copyStyle(w.session());
                     w.refreshActions();
                     w.statusBar()->showMessage(
-                        Text::tr("The style is copied. Select other objects and "
-                                 "paste it (Ctrl+Shift+V)."),
+                        app::withKeys(Text::tr("The style is copied. Select other objects and "
+                                               "paste it ({paste-style}).")),
                         MainWindow::messageMilliseconds);
                 },
         },

@@ -199,7 +199,7 @@ std::vector<ActionInfo> zoomRows()
             .scope = ShortcutScope::Canvas,
             .run = [](MainWindow& w) { w.canvas().fitWindow(); },
             .enabled = [](const MainWindow& w) { return w.session().clipWindow().has_value(); },
-            .needs = Text::tr("There is no clip window. Draw one first (W)."),
+            .needs = Text::tr("There is no clip window. Draw one first ({tool-window})."),
         },
         {
             .key = "fit-page",

@@ -2,6 +2,7 @@
 #include "ui/microscope/microscope_bar.h"
 
 #include "app/base/text.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/microscope/line_field.h"
@@ -99,8 +100,10 @@ void MicroscopeBar::addLine()
     line_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     row_->addWidget(line_, 5);
     QToolButton* swap = addButton("swap", Text::tr("Swap ends"));
-    previous_ = addButton("step-back", Text::tr("Previous line of the drawing (Shift+F8)"));
-    next_ = addButton("step-on", Text::tr("Next line of the drawing (F8)"));
+    previous_ = addButton("step-back", Text::tr("Previous line of the drawing"));
+    next_ = addButton("step-on", Text::tr("Next line of the drawing"));
+    setKeyTip(*previous_, Text::tr("Previous line of the drawing ({previous-line})"));
+    setKeyTip(*next_, Text::tr("Next line of the drawing ({next-line})"));
     connect(line_, &LineField::typed, this, &MicroscopeBar::setLine);
     connect(line_, &LineField::done, this, &MicroscopeBar::lineDone);
     connect(line_, &LineField::refused, this, &MicroscopeBar::refused);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sheets/command_keys.h"
 
+#include "ui/look/key_tip.h"
 #include "ui/look/text.h"
 #include "ui/window/keyboard.h"
 #include "ui/window/main_window.h"
@@ -103,6 +104,13 @@ void CommandKeys::apply()
     for (std::size_t i = 0; i < actions_.size(); ++i)
         if (actions_[i] && actions_[i]->shortcuts() != table_.keys(i))
             actions_[i]->setShortcuts(table_.keys(i));
+    app::KeysInUse keys;
+    for (std::size_t i = 0; i < actions_.size(); ++i)
+        if (!table_.keys(i).isEmpty())
+            keys[table_.commands()[i].key] =
+                table_.keys(i).front().toString(QKeySequence::NativeText);
+    KeyNews::get().tell(keys);
+    window_.refreshActions(); // their reasons name keys
 }
 
 } // namespace ui

@@ -19,7 +19,7 @@ bool isModifierAlone(int key)
 
 /// As a shortcut has it: the letter at the key's place on other keyboards, and a character that
 /// needs Shift without it ("?", not "Shift+?"); a letter keeps its Shift.
-QKeySequence keyOf(const QKeyEvent& event)
+QKeySequence pressedKey(const QKeyEvent& event)
 {
     if (const auto key = keyAtItsPlace(event))
         return QKeySequence(*key);
@@ -35,7 +35,7 @@ QKeySequence keyOf(const QKeyEvent& event)
 
 KeyField::KeyField(QWidget* parent) : QLineEdit(parent)
 {
-    setReadOnly(true);
+    setReadOnly(true); // it never has a text
     setFixedHeight(space::fieldHeight);
     setPlaceholderText(Text::tr("Press the new key here"));
     setAccessibleName(Text::tr("New key"));
@@ -58,7 +58,7 @@ void KeyField::keyPressEvent(QKeyEvent* event)
     if (event->key() == Qt::Key_Escape && event->modifiers() == Qt::NoModifier)
         emit left();
     else if (!isModifierAlone(event->key()))
-        emit pressed(keyOf(*event));
+        emit pressed(pressedKey(*event));
 }
 
 } // namespace ui

@@ -85,7 +85,12 @@ void KeyboardPage::addTable(QVBoxLayout& column)
     table_->horizontalHeader()->resizeSection(1, keysWidth);
     column.addWidget(table_, 1);
     connect(search_, &QLineEdit::textChanged, this, &KeyboardPage::find);
-    connect(search_, &QLineEdit::returnPressed, table_, [this] { table_->setFocus(); });
+    connect(search_, &QLineEdit::returnPressed, this, [this] {
+        constexpr int belowItsMenu = 1;
+        if (!chosen_)
+            table_->selectRow(belowItsMenu);
+        table_->setFocus();
+    });
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             &KeyboardPage::choose);
     connect(table_, &QAbstractItemView::activated, field_, [this] { field_->setFocus(); });
@@ -101,6 +106,7 @@ void KeyboardPage::addFields(QVBoxLayout& column)
     name_->setFont(semiBold(font()));
     name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     grid->addWidget(name_);
+    name_->setObjectName(QStringLiteral("chosen-command"));
     field_->setObjectName(QStringLiteral("new-key"));
     remove_->setObjectName(QStringLiteral("remove-keys"));
     reset_->setObjectName(QStringLiteral("reset-keys"));
@@ -217,9 +223,12 @@ void KeyboardPage::follow()
     const bool isFixed =
         chosen_ && table.commands()[*chosen_].scope == app::KeyedCommand::Scope::Fixed;
     const bool can = chosen_ && !isFixed;
-    name_->setText(chosen_ ? table.commands()[*chosen_].name : Text::tr("Choose a command"));
+    const QString keys = chosen_ ? app::keysText(table.keys(*chosen_)) : QString();
+    name_->setText(!chosen_ ? Text::tr("Choose a command")
+                   : keys.isEmpty()
+                       ? Text::tr("%1: no key").arg(table.commands()[*chosen_].name)
+                       : Text::tr("%1: %2").arg(table.commands()[*chosen_].name, keys));
     field_->setEnabled(can);
-    field_->setText(chosen_ ? app::keysText(table.keys(*chosen_)) : QString());
     remove_->setEnabled(can && !table.keys(*chosen_).isEmpty());
     reset_->setEnabled(can && !table.isStandard(*chosen_));
     if (isFixed)

@@ -6,6 +6,7 @@
 #include "app/drawing/dash_patterns.h"
 #include "app/session/units.h"
 #include "app/view/colour_chart.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -119,9 +120,9 @@ QLayout* StylePanel::makeColour()
     eyedropper->setAutoRaise(true);
     eyedropper->setFocusPolicy(Qt::StrongFocus);
     eyedropper->setFixedSize(space::fieldHeight, space::fieldHeight);
-    eyedropper->setToolTip(
-        Text::tr("Take the colour of a line in the drawing (I; for the fill Shift+I)"));
-    eyedropper->setAccessibleName(eyedropper->toolTip());
+    setKeyTip(*eyedropper, Text::tr("Take the colour of a line in the drawing ({take-stroke}; for "
+                                    "the fill {take-fill})"));
+    eyedropper->setAccessibleName(Text::tr("Take the colour of a line in the drawing"));
     connect(part_, &Segments::picked, this, [this](int part) {
         colour_->setPart(part == 0 ? &app::Style::stroke : &app::Style::fill);
         follow();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/keys_in_use.h"
 #include "app/base/numbers.h"
 #include "app/commands/add_and_remove.h"
 #include "app/session/inspection.h"
@@ -237,8 +238,8 @@ QString SelectTool::hint(const Workbench& bench) const
     if (const QString hint = hover_.hint(bench); !hint.isEmpty() && !busy())
         return hint;
     if (!session.selection().empty())
-        return Text::tr("%1 selected. Drag or arrow keys: move. G, O, K: move, "
-                        "rotate, scale by numbers. Delete: remove.")
+        return app::withKeys(Text::tr("%1 selected. Drag or arrow keys: move. {move}, {rotate}, "
+                                      "{scale}: move, rotate, scale by numbers. Delete: remove."))
             .arg(app::countText(session.selection().size()));
     if (const auto line = session.inspected())
         return Text::tr("The Line panel shows line %1. Click a line to select it.")

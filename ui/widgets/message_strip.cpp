@@ -2,6 +2,7 @@
 #include "ui/widgets/message_strip.h"
 
 #include "app/session/session.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -118,9 +119,10 @@ void WindowNote::follow()
 {
     const QString first =
         session_.clipWindow()
-            ? Text::tr("<b>Drag the clip window,</b> or draw one (W).")
-            : Text::tr("<b>Draw a clip window (W),</b> or press <i>Lay window on page</i>.");
-    setText(first + u' ' + Text::tr("What it removes is cut at every frame."));
+            ? Text::tr("<b>Drag the clip window,</b> or draw one ({tool-window}).")
+            : Text::tr(
+                "<b>Draw a clip window ({tool-window}),</b> or press <i>Lay window on page</i>.");
+    setText(app::withKeys(first) + u' ' + Text::tr("What it removes is cut at every frame."));
 }
 
 void WindowNote::paintEvent(QPaintEvent* event)

@@ -18,7 +18,7 @@ namespace ui {
 
 namespace {
 
-constexpr int headingHeight = 34, usualWidth = 360, wideWidth = 420, narrowWidth = 320; // pixels
+constexpr int headingHeight = 34, sheetWidth = 360, wideSheet = 420, narrowWidth = 320; // pixels
 constexpr int narrowWindow = 1100; ///< a narrower one has narrow sheets
 
 void inColourOfPanels(QWidget& part)
@@ -108,8 +108,8 @@ void Sheet::addToFoot(QPushButton* button)
 void Sheet::fitTo(int widthOfWindow)
 {
     const int wanted = widthOfWindow < narrowWindow ? narrowWidth
-                       : width_ == Width::Wide      ? wideWidth
-                                                    : usualWidth;
+                       : width_ == Width::Wide      ? wideSheet
+                                                    : sheetWidth;
     const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     setFixedWidth(std::max(wanted, inner_->minimumSizeHint().width() + bar + 1));
 }

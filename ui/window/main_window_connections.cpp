@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/keys_in_use.h"
 #include "app/base/numbers.h"
 #include "app/session/window_in_hand.h"
 #include "ui/bars/status_bar.h"
@@ -43,7 +44,8 @@ void MainWindow::connectSession()
     connect(status_, &StatusBar::warningWanted, this, [this](const QString& sentence) {
         tell({Message::Kind::Warning, sentence});
     });
-    connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {
+    connect(&session_, &app::Session::refused, this, [this](const QString& named) {
+        const QString sentence = app::withKeys(named);
         tell({Message::Kind::Warning, sentence});
         // The next step shows that it is settled, or no longer wanted.
         const auto withdraw = [this, sentence] {

@@ -54,9 +54,12 @@ void Modes::followLessons()
     emit changed();
 }
 
-/// A side sheet stands in the place of the panels, in every mode.
+/// A side sheet stands in the place of the panels, in every mode but Tiles, which have a column of
+/// their own there.
 void Modes::followSheet()
 {
+    if (sheets_.sheet())
+        parts_.sheets.close();
     fit();
     parts_.centre.layOut();
     emit changed();
@@ -67,6 +70,7 @@ void Modes::followSheets()
     const bool open = parts_.sheets.isOpen();
     if (open) {
         tiles_.enter();
+        sheets_.close();
         session_.microscope.close();
     }
     fit();

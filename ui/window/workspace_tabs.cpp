@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/workspace_tabs.h"
 
+#include "app/base/text.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/text.h"
 #include "ui/window/panel_layout.h"
 #include "ui/window/workspaces.h"
@@ -17,8 +19,11 @@ WorkspaceTabs::WorkspaceTabs(PanelLayout& layout, QWidget* parent) : QTabBar(par
     setFocusPolicy(Qt::NoFocus); // the menu View and Ctrl+Alt+digit serve the keyboard
     for (const Workspace& workspace : workspaces()) {
         const int tab = addTab(workspace.name);
-        setTabToolTip(
-            tab, Text::tr("%1: %2 (Ctrl+Alt+%3)").arg(workspace.name, workspace.tip).arg(tab + 1));
+        followKeys(*this, [this, tab, &workspace] {
+            setTabToolTip(tab, app::withKeys(Text::tr("%1: %2 ({%3})")
+                                                 .arg(workspace.name, workspace.tip,
+                                                      app::latin(workspace.key))));
+        });
     }
     const auto follow = [this, &layout] {
         const QSignalBlocker quiet(this);

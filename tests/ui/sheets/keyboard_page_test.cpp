@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/keys_in_use.h"
 #include "ui/sheets/command_keys.h"
 #include "ui/sheets/key_field.h"
 #include "ui/sheets/key_model.h"
@@ -8,6 +9,7 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QTextBrowser>
+#include <QToolButton>
 
 #include "tests/not_empty.h"
 #include "tests/test_class.h"
@@ -96,7 +98,8 @@ private slots:
         page.choose("split");
         page.press(Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
         QCOMPARE(page.keysOf("split"), Keys{K("Ctrl+Alt+J")});
-        QCOMPARE(page.part<KeyField>("new-key")->text(), QStringLiteral("Ctrl+Alt+J"));
+        QCOMPARE(page.part<QLabel>("chosen-command")->text(),
+                 QStringLiteral("Split at windows: Ctrl+Alt+J"));
         QCOMPARE(page.answer(), QString());
         page.t.run("shortcuts");
         const auto* help = page.t.window->findChild<QTextBrowser*>();
@@ -207,6 +210,10 @@ private slots:
         QVERIFY(found("file sa").contains("Save as"));
         QCOMPARE(found("zzzz"), QStringList());
         QVERIFY(!page.part<KeyField>("new-key")->isEnabled());
+        found("tiles");
+        QTest::keyClick(page.part<QLineEdit>("find-key"), Qt::Key_Return);
+        QVERIFY(page.table().hasFocus());
+        QVERIFY(page.part<QLabel>("chosen-command")->text().startsWith("Tiles"));
         QVERIFY(found("").size() > 150);
     }
 
@@ -223,6 +230,29 @@ private slots:
         QVERIFY(page.table().hasFocus() && page.t.window->sheet());
         QTest::keyClick(&page.table(), Qt::Key_Return);
         QVERIFY(page.part<KeyField>("new-key")->hasFocus());
+    }
+
+    void sentencesNameTheKeysThatCommandsHave()
+    {
+        const Page page;
+        const app::KeysInUse& named = app::standardKeysInSentences();
+        for (const auto& [command, key] : notEmpty(named).asKeyValueRange()) {
+            const QAction* action = page.t.window->findChild<QAction*>(command);
+            QVERIFY2(action, qPrintable(command));
+            QCOMPARE(action->shortcut(), K(key));
+        }
+        page.choose("tool-window");
+        page.press(Qt::Key_F10);
+        page.choose("next-difference");
+        page.press(Qt::Key_F10, Qt::ShiftModifier);
+        page.t.run("remove-window");
+        QVERIFY(page.t.action("fit-window")->statusTip().contains("(F10)"));
+        QStringList tips;
+        for (const auto* button : page.t.window->findChildren<QToolButton*>())
+            tips << button->toolTip();
+        QVERIFY(tips.contains("Next difference (Shift+F10)"));
+        page.click("reset-settings");
+        QVERIFY(page.t.action("fit-window")->statusTip().contains("(W)"));
     }
 
     void garbageInTheSettingsIsToldOnce()

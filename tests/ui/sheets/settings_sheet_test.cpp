@@ -117,6 +117,22 @@ private slots:
         QCOMPARE(shownPanels(t), panels);
     }
 
+    void tilesAndASheetCloseEachOther()
+    {
+        TestWindow t;
+        t.show();
+        t.open(t.twoLines());
+        const QStringList panels = shownPanels(t);
+        t.run("settings");
+        t.run("tiles");
+        QVERIFY(t.window->sheets().isOpen() && !t.window->sheet());
+        t.run("settings");
+        QVERIFY(!t.window->sheets().isOpen() && t.window->sheet());
+        QVERIFY(t.window->sheet()->isAncestorOf(QApplication::focusWidget()));
+        t.window->closeSheet();
+        QCOMPARE(shownPanels(t), panels);
+    }
+
     void everySettingTakesEffectAndIsReset()
     {
         TestWindow t;

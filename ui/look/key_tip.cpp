@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/key_tip.h"
+
+namespace ui {
+
+KeyNews& KeyNews::get()
+{
+    static KeyNews news;
+    return news;
+}
+
+void KeyNews::tell(const app::KeysInUse& keys)
+{
+    app::tellKeysInUse(keys);
+    emit changed();
+}
+
+void followKeys(QObject& widget, const std::function<void()>& refresh)
+{
+    QObject::connect(&KeyNews::get(), &KeyNews::changed, &widget, refresh);
+    refresh();
+}
+
+void setKeyTip(QWidget& widget, const QString& text)
+{
+    followKeys(widget, [&widget, text] { widget.setToolTip(app::withKeys(text)); });
+}
+
+} // namespace ui
+
+#include "moc_key_tip.cpp"
