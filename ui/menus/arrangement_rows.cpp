@@ -34,6 +34,7 @@ ActionInfo alignTo(const app::AlignmentTarget& target)
         .checked =
             [&target](const MainWindow& w) { return w.session().arrange.alignTo == target.key; },
         .group = "align-to",
+        .paletteOnly = true, // the bar of the tool Select has a list of them
     };
 }
 
@@ -56,8 +57,8 @@ std::vector<ActionInfo> arrangementRows()
     for (const app::AlignmentTarget& target : app::alignmentTargets())
         targets.push_back(alignTo(target));
     const std::vector<ActionInfo> separator(1);
-    return joined({rowsOf(Kind::Align), separator, targets, separator, rowsOf(Kind::Spread),
-                   separator, rowsOf(Kind::SameSize)});
+    return joined({rowsOf(Kind::Align), targets, separator, rowsOf(Kind::Spread), separator,
+                   rowsOf(Kind::SameSize)});
 }
 
 } // namespace ui

@@ -52,6 +52,7 @@ ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
     };
     if (!shortcut.isEmpty())
         row.keys = {shortcut};
+    row.paletteOnly = step.key == "delete-nodes"; // Edit > Delete deletes them, too
     if (number < types)
         row.checked = [number](const MainWindow& w) { return hasType(w, number); };
     return row;

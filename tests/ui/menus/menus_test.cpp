@@ -4,12 +4,14 @@
 #include "app/session/window_steps.h"
 #include "ui/menus/actions.h"
 #include "ui/tools/tool.h"
+#include "ui/window/keyboard.h"
 
 #include <QMenu>
 #include <QMenuBar>
 #include <QTextBrowser>
 #include <QTextTable>
 
+#include "tests/content_of.h"
 #include "tests/not_empty.h"
 #include "tests/test_class.h"
 #include "tests/ui/test_window.h"
@@ -36,7 +38,9 @@ class MenusTest : public QObject {
     {
         QStringList entries;
         for (const ActionInfo& row : info.rows)
-            if (row.text.isEmpty() && row.submenu.isEmpty())
+            if (row.paletteOnly)
+                continue;
+            else if (row.text.isEmpty() && row.submenu.isEmpty())
                 entries << QStringLiteral("-");
             else if (row.submenu.isEmpty())
                 entries << (row.fill           ? row.text
@@ -160,6 +164,51 @@ private slots:
         QVERIFY2(all <= 85, qPrintable(QString::number(all)));
     }
 
+    /// But for those that hold files and layers.
+    void submenusAreShort()
+    {
+        const TestWindow t;
+        int looked = 0;
+        for (const QAction* top : notEmpty(t.window->menuBar()->actions()))
+            for (const QAction* entry : top->menu()->actions()) {
+                if (!entry->menu())
+                    continue;
+                QStringList entries = entriesOf(*entry->menu());
+                entries.removeAll(QStringLiteral("-"));
+                QVERIFY2(entries.size() <= 12, qPrintable(entry->text()));
+                ++looked;
+            }
+        QVERIFY(looked > 15);
+    }
+
+    /// A command that is wanted no more is taken from the list, too.
+    void noCommandIsLost()
+    {
+        const TestWindow t;
+        QStringList found, lost;
+        for (const QAction* action : commands(*t.window))
+            found << action->objectName();
+        const QStringList wanted =
+            QString::fromUtf8(contentOf(QStringLiteral(SOURCE_DIR "/tests/ui/menus/commands.txt")))
+                .split(u'\n', Qt::SkipEmptyParts);
+        for (const QString& name : notEmpty(wanted))
+            if (!found.contains(name))
+                lost << name;
+        QVERIFY2(lost.isEmpty(), qPrintable(lost.join(' ')));
+    }
+
+    void commandsWithoutAnEntryHaveKeysAndReasons()
+    {
+        TestWindow t;
+        t.show();
+        QAction* action = t.action("to-page");
+        QVERIFY(action && action->isCheckable());
+        action->setShortcut(QKeySequence("F10"));
+        QTest::keyClick(t.drawingArea(), Qt::Key_F10);
+        QVERIFY(action->isChecked());
+        QVERIFY(!t.action("delete-nodes")->statusTip().isEmpty());
+    }
+
     /// Each is in one menu.
     void everyToolIsInAMenu()
     {
@@ -193,7 +242,8 @@ private slots:
         QVERIFY(path && path->toolTipsVisible());
         QStringList wanted;
         for (const app::NodeStep& step : notEmpty(app::nodeSteps()))
-            wanted << app::latin(step.key);
+            if (step.key != "delete-nodes") // Edit > Delete
+                wanted << app::latin(step.key);
         wanted << QStringLiteral("stroke-outline");
         QStringList entries = entriesOf(*path);
         QCOMPARE(entries.mid(0, 4), wanted.mid(0, 3) << QStringLiteral("-"));
