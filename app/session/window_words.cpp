@@ -4,6 +4,7 @@
 #include "app/base/text.h"
 #include "app/comparison/differences_at.h"
 #include "app/document/window_operations.h"
+#include "app/session/units.h"
 
 #include <QCoreApplication>
 
@@ -137,6 +138,15 @@ QString comparedName(const Session& session)
     const bool alone = session.region().steps.size() == 1 && session.region().keep == Keep::Inside
                        && session.region().single();
     return number && !alone ? nameOf(session.windows().list[*number]) : QString();
+}
+
+QString chosenText(const Session& session, bool forWindow)
+{
+    const auto number = session.windowNumber();
+    if (forWindow && number)
+        return Text::tr("%1, clip window").arg(nameOf(session.windows().list[*number]));
+    const QString text = selectionText(session);
+    return session.selection().empty() ? text : Text::tr("%1, selected").arg(text);
 }
 
 QString comparedText(const Session& session)

@@ -39,6 +39,10 @@ QString whyNot(const ClipWindows& windows, std::size_t number, WindowOperation o
 /// numbers of a comparison are not those of the picture. Empty otherwise.
 QString comparedName(const Session& session);
 
+/// What keys are for, in words: "Star 2, clip window" if they are for the clip window, else "3
+/// objects, selected", "nothing selected".
+QString chosenText(const Session& session, bool forWindow);
+
 /// For captions: that nothing is compared, and why; that the drawing is compared at the page, or
 /// inside one of its clip windows. Empty if that is the only one.
 QString comparedText(const Session& session);

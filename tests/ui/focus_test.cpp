@@ -4,6 +4,7 @@
 #include "app/commands/add_and_remove.h"
 
 #include <QAbstractButton>
+#include <QAccessible>
 #include <QButtonGroup>
 #include <QDirIterator>
 #include <QRegularExpression>
@@ -153,6 +154,7 @@ private:
         QVERIFY2(missed.isEmpty(), qPrintable(missed.join(u'\n')));
         checkOrder(way);
         checkMarks(way);
+        checkWords(way);
         QList<QWidget*> back = wayBy(Qt::Key_Backtab, window);
         std::ranges::reverse(back);
         std::ranges::rotate(back, std::ranges::find(back, way.front()));
@@ -163,6 +165,23 @@ private:
     {
         settle();
         return onScreen(window) == painted(window);
+    }
+
+    /// A screen reader says what each of them is, and what it is for.
+    static void checkWords(const QList<QWidget*>& way)
+    {
+        QStringList silent;
+        for (QWidget* one : way) {
+            QAccessibleInterface* said = QAccessible::queryAccessibleInterface(one);
+            const bool hasRole =
+                said && said->role() != QAccessible::Client && said->role() != QAccessible::NoRole;
+            const auto* button = qobject_cast<QAbstractButton*>(one);
+            if (button && button->text().isEmpty() && button->icon().isNull())
+                continue; // the menus give it its action
+            if (!hasRole || said->text(QAccessible::Name).isEmpty())
+                silent << (hasRole ? "no name: " : "no role: ") + nameOf(one);
+        }
+        QVERIFY2(silent.isEmpty(), qPrintable(silent.join(u'\n')));
     }
 
     /// Only at the end it goes back, to the first one.

@@ -5,6 +5,7 @@
 #include "ui/widgets/buttons.h"
 #include "ui/widgets/elements.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -23,6 +24,7 @@ constexpr int deafMilliseconds = 250;  // a click that was meant for the canvas 
 
 Capsule::Capsule(Controller& controller, QWidget* parent) : QFrame(parent), controller_(controller)
 {
+    setSpokenRole(*this, QAccessible::ToolBar);
     auto* row = new QHBoxLayout(this);
     row->setSizeConstraint(QLayout::SetFixedSize);
     const int edge = aroundRing + ringWidth;

@@ -2,6 +2,7 @@
 #include "ui/canvas/object_capsule.h"
 
 #include "app/session/units.h"
+#include "app/session/window_words.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/canvas/window_overlay.h"
 #include "ui/look/text.h"
@@ -101,7 +102,7 @@ bool ObjectCapsule::followSubject()
 void ObjectCapsule::showValues()
 {
     const app::Session& session = controller().session();
-    setAccessibleName(Text::tr("%1, selected").arg(app::selectionText(session)));
+    setAccessibleName(app::chosenText(session, false));
     const bool isLine = lineWithHandles(session).has_value();
     times_->setVisible(!isLine);
     for (const auto& [info, label, field] : numbers_) {

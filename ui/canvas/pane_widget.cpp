@@ -7,11 +7,12 @@
 #include "app/session/window_in_hand.h"
 #include "app/session/window_words.h"
 #include "ui/look/text.h"
+#include "ui/widgets/spoken_role.h"
 
 namespace ui {
 
 PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
-    : QWidget(parent), session_(controller.session()),
+    : QWidget(parent), controller_(controller), session_(controller.session()),
       fromExact_(session_.document, session_.scene), pane_{{&app::usualAlgorithm()}},
       heading_(new PaneHeading(this)),
       surface_((backend == Backend::OpenGL ? makeGlSurface : makeRasterSurface)(
@@ -23,6 +24,7 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
           this))
 {
     QWidget& drawing = surface_->widget();
+    setSpokenRole(drawing, QAccessible::Canvas);
     drawing.setFocusPolicy(Qt::StrongFocus);
     drawing.setMouseTracking(true);
     drawing.setAccessibleName(Text::tr("Drawing"));
@@ -33,6 +35,13 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
         sayWhereItClips();
     });
     connect(&session_, &app::Session::previewChanged, this, &PaneWidget::followWindow);
+    for (const auto changed : {&app::Session::selectionChanged, &app::Session::loaded})
+        connect(&session_, changed, this, &PaneWidget::sayWhatIsChosen);
+    connect(&controller, &Controller::toolChanged, this, &PaneWidget::sayWhatIsChosen);
+    connect(&session_.nodes, &app::NodeEditing::changed, this, &PaneWidget::sayWhatIsChosen);
+    connect(&session_.document, &app::EditedDocument::changed, this, &PaneWidget::sayWhatIsChosen,
+            Qt::QueuedConnection); // the selection may not be updated yet
+    sayWhatIsChosen();
 }
 
 // Corrected forms rarely differ, so they are compared only after a gesture. Where another algorithm
@@ -51,6 +60,13 @@ void PaneWidget::followWindow()
         fromExact_.setWindow(std::nullopt);
     else if (pane_.choice.form == clipping::Form::Published || !session_.preview().windows)
         fromExact_.setWindow(session_.comparedAt());
+}
+
+// Screen readers read a new description of what has the focus.
+void PaneWidget::sayWhatIsChosen()
+{
+    surface_->widget().setAccessibleDescription(
+        app::chosenText(session_, controller_.actsOnWindow()));
 }
 
 bool PaneWidget::clipsItself() const

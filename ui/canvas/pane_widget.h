@@ -54,7 +54,9 @@ private:
     void followWindow();
     bool clipsItself() const; ///< not another algorithm in its place
     void sayWhereItClips();
+    void sayWhatIsChosen();
 
+    const Controller& controller_;
     const app::Session& session_;
     app::LiveDifferences fromExact_;
     Pane pane_;

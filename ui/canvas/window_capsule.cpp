@@ -141,7 +141,7 @@ void WindowCapsule::showValues()
 {
     const app::Session& session = controller().session();
     const app::ClipWindow& window = session.windows().list[*session.windowNumber()];
-    setAccessibleName(Text::tr("%1, clip window").arg(app::nameOf(window)));
+    setAccessibleName(app::chosenText(session, true));
     for (const app::WindowOperationInfo& each : app::windowOperations()) {
         const QString why = app::whyNot(session.windows(), *session.windowNumber(), each.operation);
         operation_->setReason(int(each.operation), why);

@@ -7,6 +7,7 @@
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/look_label.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QEvent>
 #include <QScrollBar>
@@ -128,6 +129,7 @@ void VerdictList::changeEvent(QEvent* event)
 
 VerdictArea::VerdictArea(VerdictList* verdict)
 {
+    setSpokenRole(*this, QAccessible::Grouping);
     setAccessibleName(Text::tr("Verdict"));
     setFrameShape(QFrame::NoFrame);
     setWidget(verdict);

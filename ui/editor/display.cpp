@@ -4,6 +4,7 @@
 #include "app/command_line/command.h"
 #include "ui/editor/editor_application.h"
 #include "ui/look/text.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <algorithm>
 #include <array>
@@ -90,6 +91,7 @@ std::unique_ptr<EditorApplication> startApplication(int& argc, char** argv)
 {
     handlerBefore = qInstallMessageHandler(whileStarting);
     auto application = std::make_unique<EditorApplication>(argc, argv);
+    speakRowsInFocus();
     if (QGuiApplication::screens().isEmpty()) // a frame buffer that cannot be opened
         giveUp();
     qInstallMessageHandler(handlerBefore);

@@ -7,6 +7,7 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QFontInfo>
 #include <QMouseEvent>
@@ -27,6 +28,7 @@ constexpr double ringRadius = 9; // pixels
 MicroscopeView::MicroscopeView(app::Microscope& microscope, QWidget* parent)
     : QWidget(parent), microscope_(microscope)
 {
+    setSpokenRole(*this, QAccessible::Canvas);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAccessibleName(Text::tr("Line under the microscope"));

@@ -5,6 +5,7 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/microscope/answer_cover.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QCoreApplication>
 #include <QHelpEvent>
@@ -32,6 +33,7 @@ bool context(app::Mark mark) { return mark != app::Mark::Look && mark != app::Ma
 Timeline::Timeline(app::Microscope& microscope, QWidget* parent)
     : QWidget(parent), microscope_(microscope)
 {
+    setSpokenRole(*this, QAccessible::Slider);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(Text::tr("Timeline"));
     setFont(captionFont(font()));

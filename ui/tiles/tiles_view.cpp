@@ -3,6 +3,7 @@
 
 #include "ui/look/text.h"
 #include "ui/tiles/sheet_painter.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -40,6 +41,7 @@ TilesView::TilesView(app::Session& session, app::LiveSheets& sheets,
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
     if (use == Use::Full) {
+        setSpokenRole(*this, QAccessible::Canvas);
         setFocusPolicy(Qt::StrongFocus);
         setMouseTracking(true);
         setAccessibleName(Text::tr("Sheets"));

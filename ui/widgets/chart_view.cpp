@@ -5,6 +5,7 @@
 #include "app/charts/chart_paint.h"
 #include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QContextMenuEvent>
 #include <QFontInfo>
@@ -40,6 +41,7 @@ app::ChartLook chartLookOf(const QWidget& widget)
 ChartView::ChartView(QWidget* parent) : QWidget(parent), chart_{.key = {}, .title = {}, .rows = {}}
 {
     setMouseTracking(true);
+    setSpokenRole(*this, QAccessible::Chart);
     setFocusPolicy(Qt::StrongFocus);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);

@@ -4,6 +4,7 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/chart_view.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -30,6 +31,7 @@ CostMapView::CostMapView(QWidget* parent)
     : QWidget(parent), plan_(app::usualCostPlan({{0, 0}, {1, 1}}))
 {
     setMouseTracking(true);
+    setSpokenRole(*this, QAccessible::Graphic);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);

@@ -4,6 +4,7 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/chart_view.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -22,6 +23,7 @@ constexpr double notch = 120, notchZoom = 1.5;
 
 Magnifier::Magnifier(QWidget* parent) : QWidget(parent)
 {
+    setSpokenRole(*this, QAccessible::Graphic);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setCursor(Qt::OpenHandCursor);

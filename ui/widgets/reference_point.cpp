@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/text.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -29,6 +30,7 @@ QString nameOf(app::Handle handle)
 
 ReferencePoint::ReferencePoint(QWidget* parent) : QWidget(parent)
 {
+    setSpokenRole(*this, QAccessible::Grouping);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     choose(chosen_);

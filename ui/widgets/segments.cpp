@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/widgets/spoken_role.h"
 
 #include <QHBoxLayout>
 #include <QPainter>
@@ -20,6 +21,7 @@ public:
     {
         setText(text);
         setCheckable(true);
+        setAutoExclusive(true); // as the group does: so that it is read as a radio button
         setFocusPolicy(Qt::TabFocus);
     }
     QSize sizeHint() const override
@@ -72,6 +74,7 @@ private:
 Segments::Segments(const QString& name, const QStringList& choices, QWidget* parent)
     : QWidget(parent)
 {
+    setSpokenRole(*this, QAccessible::Grouping);
     setAccessibleName(name);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/widgets/spoken_role.h"
 #include "ui/widgets/tabular.h"
 
 #include <QAccessible>
@@ -14,6 +15,7 @@ StatusCell::StatusCell(const QString& name, QWidget* parent) : QWidget(parent), 
 {
     wearCaption(*this);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
+    setSpokenRole(*this, QAccessible::StaticText);
     setAccessibleName(name);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/widgets/swatches.h"
 
 #include "app/session/recent_colours.h"
+#include "ui/widgets/spoken_role.h"
 #include "ui/widgets/swatch.h"
 
 #include <QHelpEvent>
@@ -22,6 +23,7 @@ constexpr int pitch = 24, swatchSide = 18,
 Swatches::Swatches(const QString& name, int columns, int rows, QWidget* parent)
     : QWidget(parent), name_(name), columns_(columns), rows_(rows)
 {
+    setSpokenRole(*this, QAccessible::ColorChooser);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAccessibleName(name);

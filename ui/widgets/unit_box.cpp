@@ -18,6 +18,7 @@ std::vector<app::Unit> shownUnits()
 UnitBox::UnitBox(app::Session& session, QWidget* parent) : ToolList(parent)
 {
     setAccessibleName(Text::tr("Unit"));
+    setToolTip(Text::tr("Unit of lengths"));
     setFixedHeight(space::fieldHeight);
     for (const app::Unit unit : shownUnits()) {
         const auto suffix = app::infoOf(unit).suffix;

@@ -46,6 +46,7 @@ void refreshTitles(QMainWindow& window, const QList<Dock*>& docks)
         bar->setDrawBase(false);
         bar->setElideMode(Qt::ElideNone);
         // Qt keeps bars of places that are gone, without tabs, above others, whose clicks they get.
+        bar->setFocusPolicy(bar->count() == 0 ? Qt::NoFocus : Qt::TabFocus);
         if (bar->count() == 0)
             bar->lower();
     }
