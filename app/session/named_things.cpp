@@ -64,9 +64,20 @@ bool addContainers(const Session& session, const QString& typed, std::size_t mos
     return looked == all.size();
 }
 
-const QString& nameIn(const Particulars& particulars)
+/// Its id or title, else what it is called.
+QString nameOfObject(const Session& session, std::size_t object, const ObjectView& view)
 {
-    return particulars.id.isEmpty() ? particulars.title : particulars.id;
+    const Particulars& particulars = view.particulars();
+    return !particulars.id.isEmpty()      ? particulars.id
+           : !particulars.title.isEmpty() ? particulars.title
+                                          : objectName(session, object);
+}
+
+/// Whether it has a name of its own. Others are looked at only if a number is typed: "line" would
+/// find all lines.
+bool isNamed(const ObjectView& view)
+{
+    return !view.particulars().id.isEmpty() || !view.particulars().title.isEmpty();
 }
 
 /// Whether all were looked at.
@@ -76,14 +87,16 @@ bool addObjects(const Session& session, const QString& typed, std::size_t most,
     constexpr std::size_t atOnce = 4096;
     const Objects& objects = session.now().objects();
     const Containers& tree = session.now().containers();
+    const bool hasNumber = std::ranges::any_of(typed, [](QChar c) { return c.isDigit(); });
     for (std::size_t first = 0; first < objects.size(); first += atOnce) {
         if (things.size() >= most || steady_clock::now() > end)
             return false;
         const std::size_t count = std::min(atOnce, objects.size() - first);
         objects.forEach(first, count, [&](std::size_t i, const ObjectView& object) {
-            const QString& name = nameIn(object.particulars());
-            if (name.isEmpty() || !name.contains(typed, Qt::CaseInsensitive)
-                || things.size() >= most)
+            if (things.size() >= most || (!hasNumber && !isNamed(object)))
+                return;
+            const QString name = nameOfObject(session, i, object);
+            if (!name.contains(typed, Qt::CaseInsensitive))
                 return;
             const ContainerId layer = tree.layerOf(i);
             things.push_back(
@@ -105,7 +118,7 @@ ObjectRanges objectsOf(const Session& session, const NamedThing& thing)
         return tree.contains(id) && nameOf(tree[id]) == thing.name ? ObjectRanges(tree.rangeOf(id))
                                                                    : ObjectRanges();
     return thing.number < objects.size()
-                   && nameIn(objects[thing.number].particulars()) == thing.name
+                   && nameOfObject(session, thing.number, objects[thing.number]) == thing.name
                ? ObjectRanges(ObjectRange{thing.number, thing.number + 1})
                : ObjectRanges();
 }

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// A clip window, a layer, a group or an object of the drawing that has a name.
+/// A clip window, a layer, a group or an object of the drawing.
 struct NamedThing {
     enum class Kind : std::uint8_t { Window, Layer, Group, Object };
     Kind kind;
@@ -21,7 +21,8 @@ struct NamedThing {
 };
 
 /// Those whose names fit the text, at most `most`, windows first. Objects are found by a part of
-/// their id or title, for at most the given time: `isAll` says whether all were looked at.
+/// their id or title or, if a number is typed, of what they are called ("Line 12"), for at most the
+/// given time: `isAll` says whether all were looked at.
 struct NamedThings {
     std::vector<NamedThing> list{};
     bool isAll = true;

@@ -7,6 +7,7 @@
 #include "app/document/moved_runs.h"
 #include "app/document/tree_draft.h"
 #include "app/session/node_numbers.h"
+#include "app/session/window_words.h"
 
 namespace app {
 namespace {
@@ -136,10 +137,23 @@ QString selectionText(const Session& session)
     const ContainerId group = groupAt(session, selection.first());
     const bool isGroup =
         group != 0 && selection == ObjectRanges(session.now().containers().rangeOf(group));
+    if (selection.size() == 1 && !isGroup)
+        return objectName(session, selection.first());
     const QString count = countText(selection.size());
-    return selection.size() == 1 ? isGroup ? Text::tr("group of 1 object") : Text::tr("1 object")
-           : isGroup ? Text::tr("group of %1 objects").arg(count)
-                                 : Text::tr("%1 objects").arg(count);
+    if (!isGroup)
+        return Text::tr("%1 objects").arg(count);
+    const QString text = selection.size() == 1 ? Text::tr("group of 1 object")
+                                               : Text::tr("group of %1 objects").arg(count);
+    const QString& name = session.now().containers()[group].name;
+    return name.isEmpty() ? text : Text::tr("%1, %2").arg(name, text);
+}
+
+QString objectName(const Session& session, std::size_t object)
+{
+    const ObjectView view = session.now().objects()[object];
+    const QString& id = view.particulars().id;
+    return id.isEmpty() ? Text::tr("%1 %2").arg(nameOf(view), countText(session.numbers.of(object)))
+                        : id;
 }
 
 QString groupName(const Container& group)

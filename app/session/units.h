@@ -24,7 +24,10 @@ QString nameForNew(const Session& session); ///< of the entered group or layer, 
 /// All objects that may be selected: those of the entered group, or of the drawing.
 ObjectRanges selectableObjects(const Session& session);
 
-/// The selection in words: "3 objects", "group of 3 objects", "2 nodes", "nothing selected".
+/// What an object is called: its id or, without one, its kind and its number ("Rectangle 3").
+QString objectName(const Session& session, std::size_t object);
+/// The selection in words: "Rectangle 3", "3 objects", "Kitchen, group of 3 objects", "2 nodes",
+/// "nothing selected".
 QString selectionText(const Session& session);
 QString groupName(const Container& group); ///< for people; "Group" if it has no name
 

@@ -96,9 +96,7 @@ QVariant LayerModel::objectCell(const app::TreeRow& row, int role) const
     const app::ObjectView view = session_.now().objects()[object];
     switch (role) {
     case Qt::DisplayRole:
-        return view.particulars().id.isEmpty()
-                   ? Text::tr("%1 %2").arg(app::nameOf(view), app::countText(object + 1))
-                   : view.particulars().id;
+        return app::objectName(session_, object);
     case IconRole:
         return app::latin(app::iconOf(view));
     case VisibleRole:

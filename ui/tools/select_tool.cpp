@@ -3,6 +3,7 @@
 #include "app/base/numbers.h"
 #include "app/commands/add_and_remove.h"
 #include "app/session/inspection.h"
+#include "app/session/units.h"
 #include "ui/look/text.h"
 #include "ui/tools/box_drag.h"
 #include "ui/tools/box_resize.h"
@@ -240,7 +241,7 @@ QString SelectTool::hint(const Workbench& bench) const
     if (!session.selection().empty())
         return app::withKeys(Text::tr("%1 selected. Drag or arrow keys: move. {move}, {rotate}, "
                                       "{scale}: move, rotate, scale by numbers. Delete: remove."))
-            .arg(app::countText(session.selection().size()));
+            .arg(app::selectionText(session));
     if (const auto line = session.inspected())
         return Text::tr("The Line panel shows line %1. Click a line to select it.")
             .arg(app::countText(*line + 1));

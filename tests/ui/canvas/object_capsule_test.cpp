@@ -53,7 +53,7 @@ private slots:
         stage.click({60, 30}); // the left side of the square
         QVERIFY(stage.session.selection() == app::ObjectRanges({1}));
         QVERIFY(stage.capsule().isVisible());
-        QCOMPARE(stage.capsule().accessibleName(), QStringLiteral("1 object, selected"));
+        QCOMPARE(stage.capsule().accessibleName(), QStringLiteral("Path 2, selected"));
         const QRect square(stage.at({60, 20}), stage.at({100, 40}));
         QVERIFY(!stage.place().intersects(square.adjusted(-12, -12, 12, 12)));
         stage.canvas->setTool("line");
