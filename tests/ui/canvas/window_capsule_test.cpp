@@ -38,12 +38,16 @@ struct CapsuleStage : Stage {
         QTest::mouseClick(buttons[index], Qt::LeftButton);
     }
     const app::ClipWindow& window() { return session.windows().list[*session.windowNumber()]; }
-    /// Puts another window above the one that is chosen, which can do more than add then.
-    void addAbove()
+    /// Puts another window above the first one, which can do more than add then.
+    void insertAbove()
     {
         app::ClipWindows windows = session.windows();
         windows.list.insert(windows.list.begin(), {.shape = app::RectangleShape{{{2, 2}, {9, 9}}}});
         session.history.push(new app::SetWindows(session.document, windows, {}));
+    }
+    void addAbove()
+    {
+        insertAbove();
         session.chooseWindow(1);
     }
     clipping::Window box() { return *session.clipWindow(); }
@@ -76,8 +80,7 @@ private slots:
     void withOtherToolsAWindowIsChosenFirst()
     {
         CapsuleStage stage;
-        stage.addAbove();
-        stage.click({10, 90});
+        stage.insertAbove();
         stage.canvas->setTool("select");
         QVERIFY(!stage.capsule().isVisible());
         QTest::keyClick(&stage.surface(), '-');
