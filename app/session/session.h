@@ -104,7 +104,7 @@ public:
     /// results would not be those of the drawing.
     std::optional<clipping::Window> comparedAt() const { return compared_.place(); }
     /// The number of the clip window that tools and panels act on: the chosen one if it is visible,
-    /// else the first visible one; empty without a visible window.
+    /// else the first one that has an effect; empty without a visible window.
     std::optional<std::size_t> windowNumber() const { return windowNumber_; }
     void chooseWindow(std::size_t number);
     /// Whether keys are for that window, not for selected objects or a guide: it was chosen last,
