@@ -19,7 +19,6 @@ GestureSteps::GestureSteps(HeldTool& held, Typing& typing)
     connect(&held, &HeldTool::chosen, this, &GestureSteps::changed);
     connect(&held, &HeldTool::used, this, &GestureSteps::follow);
     connect(&held.session().history, &app::History::indexChanged, this, &GestureSteps::changed);
-    connect(this, &GestureSteps::changed, this, [this] { known_ = now(); });
 }
 
 bool GestureSteps::canUndo() const

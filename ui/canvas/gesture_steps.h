@@ -29,7 +29,7 @@ signals:
     void changed();
 
 private:
-    /// The part of what changed() reports that a tool can change.
+    /// The part of what changed() reports that a tool can change: after the last call of it.
     struct Known {
         bool undo = false, redo = false, takeBack = false;
         std::size_t points = 0;

@@ -8,6 +8,8 @@
 #include "ui/tools/group_choice.h"
 #include "ui/tools/picking_marks.h"
 
+#include <utility>
+
 namespace ui {
 
 void Pointing::handle(const QMouseEvent& event)
@@ -101,8 +103,8 @@ void Pointing::leave()
 
 void Pointing::setSpace(bool down)
 {
-    space_ = down;
-    emit changed();
+    if (std::exchange(space_, down) != down)
+        emit changed();
 }
 
 QCursor Pointing::cursor() const
