@@ -71,6 +71,14 @@ std::optional<NodeAddress> nodeAt(const NodePath& path, const Point& point, doub
     return found;
 }
 
+std::size_t nodesOn(const NodePath& path, const Point& spot)
+{
+    std::size_t count = 0;
+    for (const NodeSubpath& subpath : path)
+        count += std::size_t(std::ranges::count(subpath.nodes, spot, &Node::at));
+    return count;
+}
+
 void selectWithin(NodePath& path, const clipping::Window& box)
 {
     for (NodeSubpath& subpath : path)

@@ -10,6 +10,9 @@ namespace app {
 /// The nearest node within `radius`; of nodes on one spot a selected one, else the last.
 std::optional<NodeAddress> nodeAt(const NodePath& path, const Point& point, double radius);
 
+/// The number of nodes that lie exactly there.
+std::size_t nodesOn(const NodePath& path, const Point& spot);
+
 /// The nodes in a rectangle, its borders included, become selected.
 void selectWithin(NodePath& path, const clipping::Window& rectangle);
 

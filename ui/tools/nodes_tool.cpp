@@ -272,10 +272,14 @@ QString NodesTool::hint(const Workbench& bench) const
             .arg(app::countText(nodes.nodes));
     if (nodes.only) {
         const app::Gauge gauge = gaugeOfStart(bench);
-        const app::Point at = nodeOf(*nodes.only, bench).at - gauge.origin;
+        const app::Point spot = nodeOf(*nodes.only, bench).at, at = spot - gauge.origin;
         const auto number = [&](double value) {
             return app::lengthText(value, gauge.scale.unit, gauge.scale.millimetresPerUnit);
         };
+        if (const auto count = app::nodesOn(bench.session.nodes.path(), spot); count > 1)
+            return Text::tr("%1 nodes on one spot, at x %2, y %3. One of them is selected; a box "
+                            "around the spot selects all.")
+                .arg(app::countText(count), number(at.x), number(at.y));
         return Text::tr(
                    "1 of %1 nodes, at x %2, y %3. Drag it, or press Enter and type x,y. Delete "
                    "keeps the shape.")

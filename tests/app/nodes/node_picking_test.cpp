@@ -27,6 +27,13 @@ private slots:
         path[0].nodes[1].selected = true;
         QVERIFY((app::nodeAt(path, {5, 6}, 2) == app::NodeAddress{0, 1}));
     }
+    void countsTheNodesOnOneSpot()
+    {
+        const app::NodePath path{polyline({{5, 5}, {9, 5}, {5, 5}}), polyline({{5, 5}, {5, 6}})};
+        QCOMPARE(app::nodesOn(path, {5, 5}), std::size_t(3));
+        QCOMPARE(app::nodesOn(path, {9, 5}), std::size_t(1));
+        QCOMPARE(app::nodesOn(path, {5, 5.5}), std::size_t(0));
+    }
     void selectsWhatTheRectangleHolds()
     {
         app::NodePath path{polyline({{0, 0}, {5, 5}, {10, 0}})};

@@ -54,6 +54,21 @@ private slots:
         Hand::key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(hand.path() == corner());
     }
+    void nodesOnOneSpotAreTold()
+    {
+        const app::Subpath folded{{20, 20}, {{{100, 20}}, {{60, 80}}, {{100, 20}}}, false};
+        Hand hand({shape({folded})});
+        Hand::key(Qt::Key_N);
+        hand.click({60, 20});
+        hand.click({60, 80});
+        QVERIFY(hand.canvas.toolHint().startsWith("1 of 4 nodes"));
+        hand.click({100, 20});
+        QCOMPARE(hand.selected(), std::size_t(1));
+        const QString hint = hand.canvas.toolHint();
+        QVERIFY2(hint.startsWith("2 nodes on one spot, at x 100.00, y 20.00."), qPrintable(hint));
+        hand.drag({95, 15}, {105, 25}); // the box that the hint names
+        QCOMPARE(hand.selected(), std::size_t(2));
+    }
     void anotherNodesEndAttractsIt()
     {
         Hand hand({shape({corner()}), shape({{{150, 30}, {{{180, 30}}}, false}})});
