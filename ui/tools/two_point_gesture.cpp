@@ -5,6 +5,15 @@
 
 namespace ui {
 
+/// Whether it is measured by a width and a height.
+static bool hasSides(const app::GestureMeasure& measure)
+{
+    const auto isLength = [&](std::size_t i) {
+        return measure.fields[i].quantity == app::Quantity::Length && !measure.fields[i].kept;
+    };
+    return measure.fields.size() > 1 && isLength(0) && isLength(1);
+}
+
 void TwoPointGesture::press(const Pointer& pointer, Workbench& bench)
 {
     const bool corrects = last_.isOpen();
@@ -15,19 +24,23 @@ void TwoPointGesture::press(const Pointer& pointer, Workbench& bench)
         return finishByClick(bench);
     }
     last_.forget();
-    pressed_ = pointer.screen;
+    pressed_ = screen_ = pointer.screen;
     begin(corrects ? pointer.steered : pointer.position, bench);
     gesture_->modifiers = pointer.modifiers;
 }
 
 void TwoPointGesture::move(const Pointer& pointer, Workbench& bench)
 {
+    screen_ = pointer.screen;
+    waitsAt_ = waitsAt_.value_or(pointer.screen);
+    const bool leaves = waits_ && dragged(*waitsAt_, pointer);
+    waits_ = waits_ && !leaves;
     if (!gesture_)
         return;
     if (!last_.isOpen())
         gesture_->modifiers = pointer.modifiers;
     gesture_->numbers = pointer.numbers;
-    moveEnd(pointer.position, bench);
+    moveEnd(leaves && !pointer.held ? pointer.steered : pointer.position, bench);
 }
 
 void TwoPointGesture::release(const Pointer& pointer, Workbench& bench)
@@ -52,6 +65,9 @@ std::optional<app::Gauge> TwoPointGesture::gauge(const Workbench& bench) const
         return gaugeOfStart(bench);
     app::Gauge gauge = gaugeFrom(gesture_->from, measure(gesture_->modifiers), bench);
     gauge.kept = gesture_->numbers;
+    if (waits_ && hasSides(*gauge.measure))
+        gauge.aim =
+            app::GestureEnd{gesture_->from, gauge.measure->values(gauge.start, gesture_->from)};
     if (last_.isOpen())
         gauge.aim = app::GestureEnd{done_.to, gauge.measure->values(gauge.start, done_.to)};
     return gauge;
@@ -78,6 +94,8 @@ void TwoPointGesture::begin(const app::Point& from, Workbench& bench)
 {
     const auto modifiers = gesture_ ? gesture_->modifiers : Qt::KeyboardModifiers();
     gesture_ = {from, from, modifiers, keptBy(keeps(), bench, usual())};
+    waits_ = true;
+    waitsAt_ = screen_;
     follow(*gesture_, bench);
 }
 

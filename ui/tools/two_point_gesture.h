@@ -55,6 +55,11 @@ private:
     void finish(Workbench& bench);
 
     std::optional<app::Point> pressed_; ///< on the screen; empty: the button is up
+    std::optional<app::Point> screen_;  ///< where the pointer was last
+    /// Where it was when the gesture began. While it waits there, the sides of a box go right and
+    /// down.
+    std::optional<app::Point> waitsAt_;
+    bool waits_ = false;
     LastStep last_;
     Gesture done_{}; ///< the gesture of that step
 };

@@ -154,6 +154,20 @@ private slots:
         QVERIFY(std::abs(hand.lastBox().max.x - hand.lastBox().min.x - 7) < 1e-9);
         QCOMPARE(hand.count(), std::size_t(1));
     }
+    void sidesGoRightAndDownUnlessTheyAreDraggedElsewhere()
+    {
+        Hand hand("rectangle");
+        hand.move({20, 10}); // left of and above the first corner
+        hand.type("60,40\n25\t12.5\n");
+        QVERIFY(same(hand.lastBox().min, {60, 40}) && same(hand.lastBox().max, {85, 52.5}));
+        hand.type("#60,40\n");
+        hand.move({30, 15}); // it is dragged there
+        hand.type("25\t12.5\n");
+        QVERIFY(same(hand.lastBox().min, {35, 27.5}) && same(hand.lastBox().max, {60, 40}));
+        hand.type("#60,40\n-25\t12.5\n");
+        QVERIFY(same(hand.lastBox().min, {35, 40}) && same(hand.lastBox().max, {60, 52.5}));
+        QCOMPARE(hand.count(), std::size_t(3));
+    }
     void rectangleIsDrawnByTwoClicks()
     {
         Hand hand("rectangle");
