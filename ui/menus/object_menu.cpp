@@ -24,6 +24,12 @@ ActionInfo begin(const app::Transformation& kind)
     };
 }
 
+/// What is repeated: the selection, else what the last step has drawn or copied.
+app::ObjectRanges toRepeat(const app::Session& session)
+{
+    return session.selection().empty() ? app::justAdded(session) : session.selection();
+}
+
 ActionInfo repeat()
 {
     return {
@@ -32,12 +38,13 @@ ActionInfo repeat()
         .keys = {QKeySequence("Ctrl+Shift+D")},
         .run =
             [](MainWindow& w) {
+                w.session().select(toRepeat(w.session()));
                 auto* dialog = new RepeatDialog(w.session(), &w);
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
                 dialog->setModal(true);
                 dialog->show();
             },
-        .enabled = someSelected,
+        .enabled = [](const MainWindow& w) { return !toRepeat(w.session()).empty(); },
         .needs = nothingSelected(),
     };
 }

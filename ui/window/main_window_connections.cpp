@@ -31,6 +31,7 @@ void MainWindow::connectSession()
         connect(&session_, signal, this, &MainWindow::refreshActions);
     connect(&session_.document, &app::EditedDocument::changed, this, &MainWindow::refreshActions);
     connect(canvas_, &Canvas::toolChanged, this, &MainWindow::refreshActions); // Delete
+    connect(&session_.history, &app::History::indexChanged, this, &MainWindow::refreshActions);
     connect(&session_, &app::Session::previewChanged, this,
             [this, before = windowInHand(session_)]() mutable {
                 // The names of algorithms say what they can clip.

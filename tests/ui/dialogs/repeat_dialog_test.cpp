@@ -51,6 +51,22 @@ class RepeatDialogTest : public QObject {
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
+    void withoutASelectionWhatWasJustDrawnIsRepeated()
+    {
+        Hand hand({shape({{{120, 20}, {{{130, 20}}, {{130, 26}}}, true}})});
+        QVERIFY(!hand.t.action("repeat")->isEnabled());
+        hand.canvas.setTool("line");
+        hand.drag({20, 20}, {40, 30});
+        QVERIFY(hand.session.selection().empty());
+        hand.t.run("repeat");
+        auto* dialog = hand.t.window->findChild<RepeatDialog*>();
+        QVERIFY(dialog);
+        QCOMPARE(hand.session.selection(), app::ObjectRanges{1});
+        dialog->reject();
+        hand.session.select({});
+        hand.session.history.undo();
+        QVERIFY(!hand.t.action("repeat")->isEnabled());
+    }
     void everyNumberIsShownAtOnce()
     {
         Dialog t;
