@@ -31,7 +31,7 @@ app::Point Typing::aim() const
 /// Numbers that follow a finished step change it, until the next action.
 void Typing::begin(const QString& first, bool inSecondField)
 {
-    const bool firstPoint = held_.info().draws() && (first == u"#" || first == u"@");
+    const bool firstPoint = held_.info().beginsAtPoint() && (first == u"#" || first == u"@");
     if (!held_.busy() && !firstPoint)
         held_.use([](Tool& tool, Workbench& bench) { tool.as<TypesNumbers>().reopen(bench); });
     going_ = true;

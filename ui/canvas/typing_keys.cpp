@@ -23,7 +23,9 @@ bool beginsTyping(const QKeyEvent& event, const Controller& controller)
         return false;
     const bool busy = controller.held().busy(), goes = controller.gestureGoes();
     const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
-    const bool opens = goes ? busy && event.key() == Qt::Key_Tab : enter;
+    const bool opens =
+        goes ? busy && event.key() == Qt::Key_Tab
+             : enter && controller.held().as<TypesNumbers>().enterOpens(controller.bench());
     if (opens && !(event.modifiers() & ~Qt::KeypadModifier))
         return true;
     const auto points = controller.typing().readout()->gauge().measure->points;

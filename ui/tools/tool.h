@@ -71,6 +71,7 @@ struct ToolInfo {
     Options options = Options::Stroke;
 
     bool draws() const { return options == Options::Stroke; } ///< objects, in the session's style
+    bool beginsAtPoint() const { return draws() || options == Options::Window; } ///< a typed one
     bool arranges() const { return options == Options::Arranging; } ///< chooses whole objects
     bool showsHandles() const { return arranges() || options == Options::Window; } ///< of a window
 };

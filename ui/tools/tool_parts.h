@@ -52,6 +52,8 @@ struct HasUnfinished : ToolPart {
 struct TypesNumbers : ToolPart {
     /// Which numbers may be typed now, and what they refer to; empty: none.
     virtual std::optional<app::Gauge> gauge(const Workbench&) const { return std::nullopt; }
+    /// Whether Enter opens them without a gesture, as nothing else has a use for it.
+    virtual bool enterOpens(const Workbench&) const { return true; }
     /// Ends the gesture, or its current step, with typed numbers.
     virtual void accept(const app::GestureEnd&, Workbench&) {}
     /// Goes on with the last gesture in place of what it has drawn, so that typed numbers change

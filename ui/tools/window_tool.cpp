@@ -2,6 +2,7 @@
 #include "app/session/window_steps.h"
 #include "app/view/area_at.h"
 #include "ui/look/text.h"
+#include "ui/tools/shape_drawing.h"
 #include "ui/tools/window_drawing.h"
 #include "ui/tools/window_gesture.h"
 
@@ -88,7 +89,11 @@ public:
     {
         if (drawing_ || gesture_.going())
             return drawing_ ? numbers().gauge(bench) : gesture_.gauge(bench);
-        return corrigible(bench) ? drawn_->as<TypesNumbers>().gauge(bench) : std::nullopt;
+        return gaugeOfStart(bench); // of the next window
+    }
+    bool enterOpens(const Workbench& bench) const override
+    {
+        return corrigible(bench) || !bench.session.windowChosen();
     }
     void reopen(Workbench& bench) override
     {
@@ -101,7 +106,11 @@ public:
     bool corrects() const override { return drawing_ && numbers().corrects(); }
     void accept(const app::GestureEnd& end, Workbench& bench) override
     {
-        drawing_ ? numbers().accept(end, bench) : gesture_.accept(end, bench);
+        if (gesture_.going())
+            return gesture_.accept(end, bench);
+        if (!drawing_)
+            begin(bench);
+        numbers().accept(end, bench);
         forgetDrawn(bench);
     }
 
@@ -147,6 +156,11 @@ private:
                                          bench.inDrawing(reach));
         return inside ? std::optional(app::Handle{}) : std::nullopt;
     }
+    void begin(const Workbench& bench)
+    {
+        drawing_ = makeWindowDrawing(app::windowKind(bench.session.windowPen.kind));
+        drawnWith_ = bench.session.windowPen;
+    }
     /// The next gesture may draw another shape; until then numbers change the one that was drawn.
     void forgetDrawn(const Workbench& bench)
     {
@@ -188,8 +202,7 @@ void WindowTool::press(const Pointer& pointer, Workbench& bench)
             bench.session.chooseWindow(*other);
             return gesture_.start({}, pointer, bench);
         }
-        drawing_ = makeWindowDrawing(app::windowKind(bench.session.windowPen.kind));
-        drawnWith_ = bench.session.windowPen;
+        begin(bench);
     }
     drawing_->press(pointer, bench);
     forgetDrawn(bench);

@@ -4,6 +4,7 @@
 #include "app/document/window_shape.h"
 #include "app/view/frame_handles.h"
 #include "ui/bars/option_bar.h"
+#include "ui/canvas/window_capsule.h"
 
 #include <QAbstractButton>
 
@@ -230,6 +231,28 @@ private slots:
         d.key(Qt::Key_Z, Qt::ControlModifier);
         d.type("\n2"); // now Enter opens nothing, and the digit chooses the algorithm
         QVERIFY(d.session.display().variant.algorithm != before);
+    }
+    void aWindowBeginsAtATypedPoint()
+    {
+        Drawer d;
+        d.move({10, 90}, Qt::NoButton);
+        d.type("#100,30\n12.5\t30\n");
+        QCOMPARE(d.list().size(), std::size_t(2));
+        const clipping::Window box = app::boxOf(d.last());
+        QVERIFY(same(box.min, {100, 30}) && same(box.max, {112.5, 60}));
+        d.type("#10,70\n20\t10\n"); // not a number of the one before
+        QCOMPARE(d.list().size(), std::size_t(3));
+        QVERIFY(same(app::boxOf(d.last()).min, {10, 70}));
+    }
+    void enterIsForTheCapsuleOfTheChosenWindow()
+    {
+        Drawer d;
+        QTRY_VERIFY(d.canvas.findChild<ui::WindowCapsule*>()->isVisible());
+        d.surface().setFocus();
+        d.key(Qt::Key_Return);
+        QCOMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("capsule-width"));
+        d.type("33\n");
+        QCOMPARE(d.firstSize().x, 33.0);
     }
     void aMoveTakesNumbers()
     {
