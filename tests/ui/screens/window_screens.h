@@ -6,12 +6,14 @@
 #include "ui/menus/context_menus.h"
 #include "ui/menus/palette.h"
 #include "ui/microscope/export_steps.h"
+#include "ui/sheets/settings_sheet.h"
 #include "ui/widgets/message_strip.h"
 #include "ui/window/workspaces.h"
 
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTableView>
 
 #include "tests/ui/screens/screen.h"
 
@@ -104,6 +106,22 @@ inline Screen palette(const char* name, Theme theme, const char* typed)
             }};
 }
 
+/// The sheet Settings beside the drawing.
+inline Screen settings(const char* name, Theme theme, SettingsSheet::Page page)
+{
+    return {name, [theme, page] {
+                return withWindow([=](TestWindow& test) -> QWidget* {
+                    test.window->setTheme(theme);
+                    test.action("settings")->trigger();
+                    auto* sheet = static_cast<SettingsSheet*>(test.window->sheet());
+                    sheet->turnTo(page);
+                    if (auto* keys = sheet->findChild<QTableView*>("keys"))
+                        keys->selectRow(3);
+                    return test.window.get();
+                });
+            }};
+}
+
 /// A page of a lesson in the window.
 inline Screen lessonPage(const char* name, Theme theme, std::size_t lesson, std::size_t page)
 {
@@ -153,6 +171,9 @@ inline void addWindows(std::vector<Screen>& screens)
                                return test.window.get();
                            });
                        }});
+    screens.push_back(settings("settings", Theme::Light, SettingsSheet::General));
+    screens.push_back(settings("settings-keyboard", Theme::Light, SettingsSheet::Keyboard));
+    screens.push_back(settings("settings-keyboard-dark", Theme::Dark, SettingsSheet::Keyboard));
     screens.push_back(lessonPage("lesson-window", Theme::Light, 1, 3));
     screens.push_back(lessonPage("lesson-window-dark", Theme::Dark, 0, 1));
     screens.push_back({"explanation-finding", finding});
