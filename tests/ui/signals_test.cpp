@@ -136,7 +136,8 @@ private slots:
         Desk desk(3, window);
         desk_changes::openFull(desk);
         window.showLessons();
-        for (const char* command : {"judge", "hard-cases", "reproduce-paper", "about-algorithm"})
+        for (const char* command :
+             {"judge", "hard-cases", "reproduce-paper", "about-algorithm", "settings"})
             if (QAction* action = test.action(command))
                 action->trigger();
             else

@@ -96,7 +96,6 @@ void CommandKeys::change(const std::function<void(app::KeyTable&)>& step)
     step(table_);
     apply();
     QSettings().setValue("shortcuts", table_.saved());
-    emit changed();
 }
 
 void CommandKeys::apply()

@@ -24,10 +24,8 @@ public:
     static CommandKeys& of(MainWindow& window);
 
     const app::KeyTable& table() const { return table_; }
+    /// `KeyNews` tells of it.
     void change(const std::function<void(app::KeyTable&)>& step);
-
-signals:
-    void changed();
 
 private:
     void apply();

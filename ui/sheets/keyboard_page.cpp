@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sheets/keyboard_page.h"
 
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/sheets/command_keys.h"
@@ -58,7 +59,7 @@ KeyboardPage::KeyboardPage(CommandKeys& keys, QWidget* parent)
     column->setSpacing(0);
     addTable(*column);
     addFields(*column);
-    connect(&keys_, &CommandKeys::changed, this, &KeyboardPage::follow);
+    connect(&KeyNews::get(), &KeyNews::changed, this, &KeyboardPage::follow);
     find({});
 }
 

@@ -86,8 +86,9 @@ void MainWindow::resizeEvent(QResizeEvent* event)
     panelLayout_->fitWindow();
 }
 
-/// Handles a key that no widget took: says why the key's command is disabled, or treats the key as
-/// the American one at the same place.
+/// Handles a key that no widget took: says why the key's command is disabled, treats the key as the
+/// American one at the same place, or runs the command, whose shortcut Qt ignores in a window that
+/// is not the active one.
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
     if (centre_->showsCanvas() && qobject_cast<PanelList*>(focusWidget())
@@ -101,7 +102,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
         return canvas_->setFocus(); // from a list or a field
     }
     const auto key = keyAtItsPlace(*event);
-    const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
+    const bool onCanvas = canvas_->isAncestorOf(focusWidget());
     const QKeySequence pressed(event->keyCombination());
     for (QAction* action : commands(*this)) {
         const bool reached =
@@ -109,8 +110,10 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
         if (reached && !action->isEnabled() && !action->statusTip().isEmpty()
             && action->shortcuts().contains(pressed))
             return statusBar()->showMessage(action->statusTip(), messageMilliseconds);
-        if (key && reached && action->isEnabled()
-            && action->shortcuts().contains(QKeySequence(*key)))
+        const bool shown = action->shortcutContext() == Qt::WidgetShortcut; // is no shortcut
+        const QList<QKeySequence> keys = action->shortcuts();
+        if (reached && !shown && action->isEnabled()
+            && (keys.contains(pressed) || (key && keys.contains(QKeySequence(*key)))))
             return action->trigger();
     }
     QMainWindow::keyPressEvent(event);
