@@ -29,7 +29,7 @@ SettingsSheet::SettingsSheet(MainWindow& window)
     body().addWidget(general_, 1);
     body().addWidget(keyboard_, 1);
     reset_->setObjectName(QStringLiteral("reset-settings"));
-    addToFoot(reset_);
+    addToFoot(reset_, Side::Left);
     auto* done = plainButton(Text::tr("Done"));
     done->setObjectName(QStringLiteral("done"));
     addToFoot(done);

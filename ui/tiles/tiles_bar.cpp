@@ -25,18 +25,11 @@ TilesBar::TilesBar(QWidget* parent)
     title->setFont(semiBold(font()));
     show_->setObjectName(QStringLiteral("tiles-arrangement"));
     overlap_->setObjectName(QStringLiteral("tiles-overlap"));
-    const auto button = [](const char* key, const QString& text, const QString& tip) {
-        auto* made = new QPushButton(icon(key), text);
-        made->setIconSize({16, 16});
-        made->setToolTip(tip);
-        made->setFocusPolicy(Qt::TabFocus);
-        return made;
-    };
-    auto* fit =
-        button("page", Text::tr("Fit"), Text::tr("Fit all sheets into the view (double click)"));
-    auto* close = button("close", Text::tr("Close"), Text::tr("Return to the drawing (Esc)"));
+    auto* fit = new QPushButton(icon("page"), Text::tr("Fit"));
+    fit->setIconSize({16, 16});
+    fit->setToolTip(Text::tr("Fit all sheets into the view (double click)"));
+    fit->setFocusPolicy(Qt::TabFocus);
     fit->setObjectName(QStringLiteral("fit-sheets"));
-    close->setObjectName(QStringLiteral("close-tiles"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
     row->setSpacing(space::labelToField);
@@ -52,12 +45,10 @@ TilesBar::TilesBar(QWidget* parent)
     row->addSpacing(space::betweenGroups);
     row->addWidget(fit);
     row->addStretch();
-    row->addWidget(close);
     connect(show_, &Segments::picked, this,
             [this](int chosen) { emit arranged(app::SheetArrangement(chosen)); });
     connect(overlap_, &Segments::picked, this, [this](int chosen) { emit tinted(chosen == 0); });
     connect(fit, &QPushButton::clicked, this, &TilesBar::fitWanted);
-    connect(close, &QPushButton::clicked, this, &TilesBar::closeWanted);
 }
 
 void TilesBar::show(app::SheetArrangement arrangement, bool tinted)

@@ -9,7 +9,7 @@ namespace ui {
 
 class Segments;
 
-/// The bar over the sheets: how they are shown, and Close.
+/// The bar over the sheets: how they are shown.
 class TilesBar : public QWidget {
     Q_OBJECT
 
@@ -22,7 +22,6 @@ signals:
     void arranged(app::SheetArrangement arrangement);
     void tinted(bool tinted);
     void fitWanted();
-    void closeWanted();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -7,9 +7,10 @@ namespace ui {
 
 class SheetsSection;
 class TilesBar;
+class TilesSheet;
 
-/// A large drawing on several sheets: the sheets, and at the right what they are like and how they
-/// are exported. Esc returns to the drawing.
+/// A large drawing on several sheets: the sheets, and the side sheet with what they are like and
+/// how they are exported. Esc returns to the drawing.
 class TilesPage : public QWidget {
     Q_OBJECT
 
@@ -18,8 +19,8 @@ public:
 
     TilesView& view() { return *view_; }
     TilesView& overview() { return *overview_; }
-    SheetsSection& sheetsSection() { return *sheetsSection_; }
-    QRect sheetsArea() const { return view_->geometry(); } ///< without the bar and the column
+    SheetsSection& sheetsSection();
+    QRect sheetsArea() const { return view_->geometry(); } ///< without the bar and the side sheet
 
 signals:
     void closeWanted();
@@ -27,18 +28,18 @@ signals:
     void hinted(const QString& hint);
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    QWidget* makeColumn();
     void tellHint();
 
     app::Session& session_;
     app::LiveSheets& sheets_;
     TilesBar* bar_;
     TilesView *view_, *overview_;
-    SheetsSection* sheetsSection_;
+    TilesSheet* sheet_;
 };
 
 } // namespace ui

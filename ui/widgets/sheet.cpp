@@ -96,13 +96,9 @@ void Sheet::addFoot(QVBoxLayout& column)
 
 void Sheet::setRemark(const QString& remark) { heading_->setRemark(remark); }
 
-void Sheet::addToFoot(QPushButton* button)
+void Sheet::addToFoot(QPushButton* button, Side side)
 {
-    constexpr int onlyStretch = 1;
-    if (foot_->count() == onlyStretch)
-        foot_->insertWidget(0, button);
-    else
-        foot_->addWidget(button);
+    side == Side::Right ? foot_->addWidget(button) : foot_->insertWidget(stretchInFoot_++, button);
 }
 
 void Sheet::fitTo(int widthOfWindow)

@@ -35,8 +35,8 @@ signals:
 
 protected:
     QVBoxLayout& body() { return *body_; }
-    /// Adds a button to the foot, from left to right; the first one of several stands at the left.
-    void addToFoot(QPushButton* button);
+    enum class Side : std::uint8_t { Left, Right };
+    void addToFoot(QPushButton* button, Side side = Side::Right); ///< beside those before
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -49,6 +49,7 @@ private:
     QWidget* inner_ = nullptr; ///< what scrolls
     QVBoxLayout* body_ = nullptr;
     QHBoxLayout* foot_ = nullptr;
+    int stretchInFoot_ = 0; ///< the number of buttons at the left
 };
 
 } // namespace ui

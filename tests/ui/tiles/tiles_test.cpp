@@ -126,7 +126,7 @@ private slots:
         QTRY_COMPARE(t.window->focusWidget(), t.drawingArea());
         QVERIFY(t.isUnchanged());
         t.openTiles();
-        QTest::mouseClick(&t.part("close-tiles"), Qt::LeftButton);
+        QTest::mouseClick(&t.part("close-sheet"), Qt::LeftButton);
         QVERIFY(!t.sheets().isOpen());
     }
 
