@@ -104,6 +104,37 @@ std::optional<Rearranged> movedTo(const Document& document, const ObjectRanges& 
     return draft.rearranged();
 }
 
+std::optional<Rearranged> movedBetween(const Document& document, const ObjectRanges& objects,
+                                       ContainerId entered, ContainerId into, std::size_t at)
+{
+    const Containers& tree = document.containers();
+    TreeDraft draft(document, objects, entered);
+    const TreeItems members = draft.chosen();
+    for (ContainerId around = into; around != 0; around = tree.parentOf(around))
+        if (std::ranges::find(members, around, &TreeItem::id) != members.end())
+            return Rearranged{};
+    TreeItems list;
+    std::size_t place = 0;
+    for (const TreeItem& item : draft.in(into)) {
+        const ObjectRange range = item.id == 0 ? item.objects : tree.rangeOf(item.id);
+        if (item.chosen)
+            continue;
+        if (item.id == 0 && range.first < at && at < range.end) {
+            list.push_back({0, {range.first, at}});
+            place = list.size();
+            list.push_back({0, {at, range.end}});
+            continue;
+        }
+        list.push_back(item);
+        if (range.end <= at)
+            place = list.size();
+    }
+    draft.forEachList([](ContainerId, TreeItems& each) { std::erase_if(each, &TreeItem::chosen); });
+    list.insert(list.begin() + std::ptrdiff_t(place), members.begin(), members.end());
+    draft.in(into) = std::move(list);
+    return draft.rearranged();
+}
+
 MoveFault faultOf(const Containers& tree, ContainerId id, const ContainerPlace& place)
 {
     const auto isGroup = [&](ContainerId of) {

@@ -23,6 +23,11 @@ std::optional<Rearranged> stacked(const Document& document, const ObjectRanges& 
 std::optional<Rearranged> movedTo(const Document& document, const ObjectRanges& objects,
                                   ContainerId entered, ContainerId layer);
 
+/// Puts the objects into a layer or group, above what ends at or below the object `at` there.
+/// Changes nothing if that is in a group that is moved.
+std::optional<Rearranged> movedBetween(const Document& document, const ObjectRanges& objects,
+                                       ContainerId entered, ContainerId into, std::size_t at);
+
 /// A place in a layer, a group or the document (0).
 struct ContainerPlace {
     ContainerId parent = 0;

@@ -88,21 +88,48 @@ void stackSelection(Session& session, Stacking how)
                    undo, unchanged);
 }
 
-void moveSelectionTo(Session& session, ContainerId layer)
+/// Whether objects may be moved into a layer or group; if not, the session says why.
+static bool takesObjects(Session& session, ContainerId into)
 {
     const Containers& tree = session.now().containers();
-    const QString name = tree[layer].name;
-    if (!tree.shown(layer) || tree.locked(layer)) {
-        emit session.refused(
-            Text::tr("The layer %1 is locked or hidden, so nothing was moved to it. "
-                     "Unlock and show it first.")
-                .arg(name));
+    if (tree.shown(into) && !tree.locked(into))
+        return true;
+    const QString sentence = tree[into].kind == Container::Kind::Layer
+                                 ? Text::tr("The layer %1 is locked or hidden, so nothing was "
+                                            "moved to it. Unlock and show it first.")
+                                 : Text::tr("The group %1 is locked or hidden, so nothing was "
+                                            "moved to it. Unlock and show it first.");
+    emit session.refused(sentence.arg(groupName(tree[into])));
+    return false;
+}
+
+void moveSelectionTo(Session& session, ContainerId layer)
+{
+    const QString name = session.now().containers()[layer].name;
+    if (!takesObjects(session, layer))
         return;
-    }
     pushRearranged(session,
                    movedTo(session.now(), session.selection(), session.entered.id(), layer),
                    Text::tr("Move to layer %1").arg(name),
                    Text::tr("The selection is already on top of this layer."));
+}
+
+void moveSelectionBetween(Session& session, ContainerId into, std::size_t at)
+{
+    if (session.selection().empty() || !takesObjects(session, into))
+        return;
+    const Containers& tree = session.now().containers();
+    const ContainerId group = groupAt(session, session.selection().first());
+    const ContainerId now =
+        group != 0 ? tree.parentOf(group) : tree.containerOf(session.selection().first());
+    const QString name = groupName(tree[into]);
+    pushRearranged(session,
+                   movedBetween(session.now(), session.selection(), session.entered.id(), into, at),
+                   (into == now                                 ? Text::tr("Change the order in %1")
+                    : tree[into].kind == Container::Kind::Layer ? Text::tr("Move to layer %1")
+                                                                : Text::tr("Move to group %1"))
+                       .arg(name),
+                   Text::tr("The selection is already there."));
 }
 
 std::vector<ContainerId> usableLayers(const Session& session)

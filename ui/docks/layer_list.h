@@ -20,8 +20,8 @@ struct LayerCommand {
 };
 
 /// The list of layers, groups and objects. Layers are dragged above, below or into others, groups
-/// and objects into layers. A click on a group or an object selects it, with Ctrl or Shift also
-/// others.
+/// and objects into layers and groups and between their objects. A click on a group or an object
+/// selects it, with Ctrl or Shift also others.
 class LayerList : public PanelList {
     Q_OBJECT
 
@@ -37,10 +37,12 @@ signals:
     void objectMenuWanted(const QPoint& place); ///< of the selected objects, on the screen
 
 private:
-    /// Where a dragged layer would go, and how this is shown.
+    /// Where what is dragged would go, and how this is shown.
     struct Target {
-        app::ContainerPlace place;
-        QRect mark; ///< a line between rows, or a row
+        app::ContainerPlace place{}; ///< of a layer
+        app::ContainerId into = 0;   ///< of objects: above what ends at or below `at` there
+        std::size_t at = 0;
+        QRect mark{}; ///< a line between rows, which begins where its level does; or a row
         bool inside = false;
     };
 
@@ -54,7 +56,9 @@ private:
         bool picksAtRelease = false, showsMore = false, onSign = false;
     };
     std::optional<Target> targetAt(const QPoint& at) const;
-    std::optional<Target> layerUnder(const QPoint& at) const;
+    std::optional<Target> targetOfObjects(const QPoint& at) const;
+    Target below(const QModelIndex& index, int x) const;
+    static Target inside(app::ContainerId layerOrGroup, std::size_t end, const QRect& row);
     void releaseSign(QMouseEvent& event, const QModelIndex& row);
     bool renames(const QKeyEvent& event) const;
     void startDrag();

@@ -46,7 +46,7 @@ void LayerList::mouseMoveEvent(QMouseEvent* event)
         startDrag();
     if (dragged_ == 0 && !dragsObjects_)
         return QListView::mouseMoveEvent(event);
-    target_ = dragsObjects_ ? layerUnder(at) : targetAt(at);
+    target_ = dragsObjects_ ? targetOfObjects(at) : targetAt(at);
     viewport()->update();
 }
 
@@ -75,8 +75,8 @@ void LayerList::mouseReleaseEvent(QMouseEvent* event)
     endDrag();
     setState(NoState);
     const app::Containers& containers = session_.now().containers();
-    if (objects && target && containers.contains(target->place.parent))
-        app::moveSelectionTo(session_, target->place.parent);
+    if (objects && target && containers.contains(target->into))
+        app::moveSelectionBetween(session_, target->into, target->at);
     else if (target && layer != 0 && containers.contains(layer))
         app::moveLayer(session_, layer, target->place);
 }
@@ -109,51 +109,101 @@ void LayerList::endDrag()
     viewport()->update();
 }
 
-/// Objects go to the top of a layer.
-std::optional<LayerList::Target> LayerList::layerUnder(const QPoint& at) const
+LayerList::Target LayerList::inside(app::ContainerId layerOrGroup, std::size_t end,
+                                    const QRect& row)
 {
-    const QModelIndex index = indexAt(at);
-    const app::ContainerId layer = layers_->layerAround(index);
-    if (layer == 0)
-        return std::nullopt;
-    const QModelIndex row = layers_->indexOf(layer);
-    return Target{{layer, {}}, visualRect(row.isValid() ? row : index), true};
+    return {.into = layerOrGroup, .at = end, .mark = row, .inside = true};
 }
 
-// The upper and the lower quarter of a row mean the place above and below it.
+/// Directly below a row. Below the last one in a group the place may also be outside it: the
+/// further left the pointer is, the further out.
+LayerList::Target LayerList::below(const QModelIndex& index, int x) const
+{
+    const app::Containers& tree = session_.now().containers();
+    const app::TreeRow& row = *layers_->rowAt(index);
+    const QRect box = visualRect(index);
+    const auto isGroup = [&](app::ContainerId id) {
+        return tree[id].kind == app::Container::Kind::Group;
+    };
+    const bool isObject = row.kind == app::TreeRow::Kind::Object;
+    app::ContainerId into = isObject ? row.container : tree.parentOf(row.container);
+    std::size_t at = isObject ? row.number : tree.rangeOf(row.container).first;
+    int depth = row.depth;
+    const app::TreeRow* next = layers_->rowAt(index.siblingAtRow(index.row() + 1));
+    for (const int last = next ? next->depth : 1;
+         depth > last && isGroup(into) && x < LayerPainter::leftOf(box, depth); --depth) {
+        at = tree.rangeOf(into).first;
+        into = tree.parentOf(into);
+    }
+    const int left = LayerPainter::leftOf(box, depth);
+    return {.into = into, .at = at, .mark = {left, box.bottom(), box.right() - left, 0}};
+}
+
+/// Objects go above or below others, into a group, or to the top of a layer.
+std::optional<LayerList::Target> LayerList::targetOfObjects(const QPoint& at) const
+{
+    using Kind = app::TreeRow::Kind;
+    const app::Containers& tree = session_.now().containers();
+    const QModelIndex index = indexAt(at);
+    const app::TreeRow* row = layers_->rowAt(index);
+    if (!row || !tree.contains(row->container))
+        return std::nullopt;
+    const QRect box = visualRect(index);
+    const app::ObjectRange all = tree.rangeOf(row->container);
+    if (row->kind == Kind::Layer || row->kind == Kind::More)
+        return inside(row->container, all.end, box);
+    if (row->kind == Kind::Group && session_.selection().contains(all))
+        return std::nullopt; // it is dragged itself
+    const bool isObject = row->kind == Kind::Object;
+    const int zone = isObject ? box.height() / 2 : box.height() / 4;
+    const int left = LayerPainter::leftOf(box, row->depth);
+    if (at.y() < box.top() + zone)
+        return Target{.into = isObject ? row->container : tree.parentOf(row->container),
+                      .at = isObject ? row->number + 1 : all.end,
+                      .mark = {left, box.top(), box.right() - left, 0}};
+    if (!isObject && (at.y() < box.bottom() - zone || layers_->isOpen(index)))
+        return inside(row->container, all.end, box);
+    return below(index, at.x());
+}
+
+// The upper and the lower quarter of a layer mean the place above and below it.
 std::optional<LayerList::Target> LayerList::targetAt(const QPoint& at) const
 {
     const app::Containers& tree = session_.now().containers();
     const QModelIndex index = indexAt(at);
-    const auto line = [&](const QRect& row, int y) { return QRect(row.left(), y, row.width(), 0); };
+    const auto line = [&](const app::ContainerPlace& place, const QRect& row, int y) {
+        const int depth = place.parent == 0 ? 1 : tree.depthOf(place.parent) + 1;
+        const int left = LayerPainter::leftOf(row, depth);
+        return Target{.place = place, .mark = {left, y, row.right() - left, 0}};
+    };
     if (!index.isValid()) {
         const QRect last = visualRect(layers_->index(layers_->rowCount() - 1));
-        return Target{{0, 0}, line(last, last.bottom())};
+        return line({0, 0}, last, last.bottom());
     }
     const app::ContainerId layer = layers_->layerAround(index);
-    if (layers_->layerOf(index) == 0) // a group or an object: the layer around it
-        return layerUnder(at);
-    const QRect row = visualRect(index);
-    if (at.y() < row.top() + row.height() / 4)
-        return Target{{tree.parentOf(layer), layer}, line(row, row.top())};
-    if (at.y() < row.bottom() - row.height() / 4)
-        return Target{{layer, {}}, row, true};
-    const auto below = app::placeBelow(tree, layer);
-    return Target{below, line(row, row.bottom())};
+    const QModelIndex own = layers_->indexOf(layer);
+    const QRect row = visualRect(own.isValid() ? own : index);
+    if (layer != 0 && layers_->layerOf(index) != 0 && at.y() < row.top() + row.height() / 4)
+        return line({tree.parentOf(layer), layer}, row, row.top());
+    if (layers_->layerOf(index) != 0 && at.y() >= row.bottom() - row.height() / 4)
+        return line(app::placeBelow(tree, layer), row, row.bottom());
+    return Target{.place = {layer, {}}, .mark = row, .inside = true};
 }
 
 void LayerList::paintEvent(QPaintEvent* event)
 {
+    constexpr int ring = 4; // its radius, at the level where the line begins
     QListView::paintEvent(event);
     if (!target_)
         return;
     QPainter painter(viewport());
     painter.setPen(QPen(lookOf(palette()).selection, 2));
+    const QRect& mark = target_->mark;
     if (target_->inside)
-        painter.drawRect(target_->mark.adjusted(1, 1, -2, -2));
-    else
-        painter.drawLine(target_->mark.left(), target_->mark.top(),
-                         target_->mark.left() + target_->mark.width(), target_->mark.top());
+        return painter.drawRect(mark.adjusted(1, 1, -2, -2));
+    painter.drawLine(mark.left() + ring, mark.top(), mark.left() + mark.width(), mark.top());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawEllipse(mark.topLeft(), ring, ring);
 }
 
 } // namespace ui

@@ -20,8 +20,7 @@ constexpr int indent = 14, deepest = 8, besideEye = 20, chevronWidth = 14, besid
 
 int leftOf(const QRect& row, const QModelIndex& index)
 {
-    const int depth = std::min(index.data(Model::DepthRole).toInt() - 1, deepest);
-    return row.left() + space::dockMargin + besideEye + depth * indent;
+    return LayerPainter::leftOf(row, index.data(Model::DepthRole).toInt());
 }
 
 QRect chevron(const QRect& row, const QModelIndex& index)
@@ -96,6 +95,11 @@ QStyleOptionViewItem grounded(QStyleOptionViewItem option, const QModelIndex& in
 }
 
 } // namespace
+
+int LayerPainter::leftOf(const QRect& row, int depth)
+{
+    return row.left() + space::dockMargin + besideEye + std::min(depth - 1, deepest) * indent;
+}
 
 LayerPainter::LayerPainter(LayerList& list) : RowPainter(&list), list_(list) {}
 

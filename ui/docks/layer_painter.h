@@ -22,6 +22,7 @@ public:
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                      const QModelIndex& index) override;
 
+    static int leftOf(const QRect& row, int depth); ///< where the signs of that level begin
     /// Whether a press there is for a sign, not for the row.
     static bool hitsSign(const QRect& row, const QModelIndex& index, const QPoint& at);
 

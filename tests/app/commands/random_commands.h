@@ -182,7 +182,7 @@ private:
         const app::ObjectRanges chosen = some();
         const auto overlaps = [](const app::ObjectRange& range) { return range.first % 3 == 0; };
         std::optional<app::Rearranged> result;
-        switch (const auto kind = random_.below(8); kind) {
+        switch (const auto kind = random_.below(9); kind) {
         case 0:
             result = app::grouped(drawing, chosen, 0);
             break;
@@ -194,6 +194,10 @@ private:
             break;
         case 3:
             result = app::movedContainer(drawing, container(), {container(), container()});
+            break;
+        case 8:
+            result = app::movedBetween(drawing, chosen, 0, container(),
+                                       random_.below(drawing.objects().size() + 1));
             break;
         default:
             result = app::stacked(drawing, chosen, 0, app::Stacking(kind - 4), overlaps);

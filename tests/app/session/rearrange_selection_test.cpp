@@ -131,6 +131,30 @@ private slots:
         drawing.history.undo();
         QVERIFY(drawing.tree().contains(drawing.inner));
     }
+    void objectsAreMovedBetweenOthers()
+    {
+        Drawing drawing;
+        drawing.select({0, 6});
+        moveSelectionBetween(drawing, drawing.outer, 3); // above line 2
+        QCOMPARE(order(drawing), (Order{1, 2, 0, 6, 3, 4, 5, 7}));
+        QCOMPARE(selected(drawing), (Order{0, 6}));
+        QCOMPARE(drawing.tree().containerOf(2), drawing.outer);
+        QCOMPARE(drawing.history.undoText(), QStringLiteral("Move to group outer"));
+        drawing.history.undo();
+        QCOMPARE(order(drawing), (Order{0, 1, 2, 3, 4, 5, 6, 7}));
+
+        drawing.select({2, 3, 4}); // the group, below line 0: 0 is the place
+        moveSelectionBetween(drawing, drawing.low, 0);
+        QCOMPARE(order(drawing), (Order{2, 3, 4, 0, 1, 5, 6, 7}));
+        QCOMPARE(drawing.tree().parentOf(drawing.outer), drawing.low);
+        QCOMPARE(drawing.history.undoText(), QStringLiteral("Change the order in low"));
+
+        QSignalSpy refused(&drawing, &Session::refused);
+        moveSelectionBetween(drawing, drawing.low, 0); // it is there
+        moveSelectionBetween(drawing, drawing.inner, 3);
+        QCOMPARE(refused.count(), 2);
+        QCOMPARE(drawing.history.count(), 1);
+    }
     void ungroupingKeepsInnerGroups()
     {
         Drawing drawing;

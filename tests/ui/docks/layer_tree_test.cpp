@@ -172,6 +172,55 @@ private slots:
         QCOMPARE(tree.rangeOf(layers[0]).size(), std::size_t(4));
         QCOMPARE(tree.rangeOf(layers[1]).size(), std::size_t(2));
     }
+    /// Drags a row to a height of another row: 0 is its top, 1 its bottom; x: at its own level or,
+    /// negative, further out.
+    static void drag(Panel& panel, const QString& name, const QString& to, double height, int x = 0)
+    {
+        const QRect row = panel.list->visualRect(panel.at(panel.rowOf(to)));
+        const int left = x < 0 ? row.left() + space::dockMargin + 22 : row.center().x();
+        const QPoint place(left, row.top() + int(height * (row.height() - 1)));
+        QTest::mousePress(panel.list->viewport(), Qt::LeftButton, {},
+                          panel.list->visualRect(panel.at(panel.rowOf(name))).center());
+        QMouseEvent event(QEvent::MouseMove, place, panel.list->viewport()->mapToGlobal(place),
+                          Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(panel.list->viewport(), &event);
+        QTest::mouseRelease(panel.list->viewport(), Qt::LeftButton, {}, place);
+    }
+    void objectsAreDraggedBetweenOthers()
+    {
+        Panel panel;
+        const app::Document before = panel.session().now();
+        panel.clickChevron("high");
+        drag(panel, ".Line 3", ".Line 6", 0);
+        QCOMPARE(panel.rows(), QStringList({"high", ".Line 3", ".Line 6", ".pair", "low"}));
+        QCOMPARE(panel.session().history.count(), 1);
+        drag(panel, ".Line 3", ".Line 6", 1);
+        QCOMPARE(panel.rows(), QStringList({"high", ".Line 6", ".Line 3", ".pair", "low"}));
+        drag(panel, ".Line 6", ".pair", 1); // below the closed group
+        QCOMPARE(panel.rows(), QStringList({"high", ".Line 3", ".pair", ".Line 6", "low"}));
+        drag(panel, ".pair", ".Line 3", 0); // a group as a whole
+        QCOMPARE(panel.rows(), QStringList({"high", ".pair", ".Line 3", ".Line 6", "low"}));
+        drag(panel, ".Line 6", ".pair", 0.5); // into it, which opens it
+        QCOMPARE(panel.rows(), QStringList({"high", ".pair", "..Line 6", "..Line 5", "..Line 4",
+                                            ".Line 3", "low"}));
+        panel.session().history.setIndex(0);
+        QVERIFY(panel.session().now() == before);
+    }
+    // Below the last row of a group, the place of the pointer across says how deep.
+    void theDepthFollowsThePointer()
+    {
+        Panel panel;
+        panel.clickChevron("high");
+        panel.clickChevron(".pair");
+        drag(panel, ".Line 6", "..Line 4", 1, -1);
+        QCOMPARE(panel.rows(), QStringList({"high", ".pair", "..Line 5", "..Line 4", ".Line 6",
+                                            ".Line 3", "low"}));
+        drag(panel, ".Line 6", "..Line 4", 1);
+        QCOMPARE(panel.rows(), QStringList({"high", ".pair", "..Line 5", "..Line 4", "..Line 6",
+                                            ".Line 3", "low"}));
+        drag(panel, ".pair", "..Line 4", 0); // not into itself
+        QCOMPARE(panel.session().history.count(), 2);
+    }
     // Below the last row is no layer.
     void objectsThatAreDroppedNowhereStay()
     {
