@@ -145,6 +145,7 @@ void OptionBar::addStyle()
 {
     style_->setIcon(icon("style"));
     style_->setObjectName(QStringLiteral("style"));
+    style_->setAccessibleName(Text::tr("Style"));
     addWidget(style_);
     connect(style_, &QToolButton::clicked, this, &OptionBar::openStyle);
     connect(&stylePopup_->panel(), &StylePanel::refused, this, &OptionBar::refused);
@@ -155,7 +156,6 @@ void OptionBar::setStyleCommand(QAction& style)
 {
     showKeyInTip(style);
     style_->setToolTip(style.toolTip());
-    style_->setAccessibleName(style.iconText().remove(u'…'));
 }
 
 void OptionBar::openStyle() { stylePopup_->open(style_->isVisible() ? *style_ : *tool_); }
