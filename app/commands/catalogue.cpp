@@ -9,6 +9,7 @@
 #include "app/commands/rearrange_objects.h"
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_containers.h"
+#include "app/commands/set_hidden.h"
 #include "app/commands/set_page_parts.h"
 #include "app/commands/set_style.h"
 #include "app/commands/transform_objects.h"
@@ -32,6 +33,7 @@ std::span<const CommandKind> commandKinds()
         OutlineStrokes::row,
         RearrangeObjects::row,
         SetStyle::row,
+        SetHidden::row,
         SetWindows::row,
         SetGuides::row,
         SetSheets::row,

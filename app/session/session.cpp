@@ -22,6 +22,20 @@ static ContainerId layerForNew(const Containers& containers)
     return layers.back();
 }
 
+/// The selected objects that a change has hidden.
+static ObjectRanges hiddenAmong(const Objects& all, const ObjectRanges& selection,
+                                std::span<const Splice> splices)
+{
+    ObjectRanges hidden;
+    const ObjectRanges changed = common(selection, addedBy(splices));
+    for (const ObjectRange& range : changed.ranges())
+        all.forEach(range.first, range.size(), [&](std::size_t i, const ObjectView& object) {
+            if (object.hidden())
+                hidden.insert(i);
+        });
+    return hidden;
+}
+
 Session::Session(QObject* parent) : QObject(parent)
 {
     display_.variant.algorithm = &usualAlgorithm();
@@ -200,6 +214,8 @@ Session::Chosen Session::chosenAfter(const DocumentChange& change) const
     if (change.containers)  // also by undo: hidden or locked objects cannot be edited
         next.selection =
             without(next.selection, united(containers.hiddenRanges(), containers.lockedRanges()));
+    next.selection =
+        without(next.selection, hiddenAmong(now().objects(), next.selection, change.splices));
     return next;
 }
 

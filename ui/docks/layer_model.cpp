@@ -2,6 +2,7 @@
 #include "ui/docks/layer_model.h"
 
 #include "app/commands/set_containers.h"
+#include "app/commands/set_hidden.h"
 #include "app/session/layer_steps.h"
 #include "app/session/units.h"
 #include "ui/look/text.h"
@@ -146,6 +147,8 @@ bool LayerModel::change(int row, const QVariant& value, int role)
     const app::Containers& containers = session_.now().containers();
     const app::TreeRow& changed = rows_[std::size_t(row)];
     const app::ContainerId id = changed.container;
+    if (changed.kind == Kind::Object && role == VisibleRole)
+        return show(changed.number, value.toBool());
     if (!containers.contains(id) || changed.kind == Kind::Object || changed.kind == Kind::More)
         return false;
     const bool isLayer = changed.kind == Kind::Layer;
@@ -169,6 +172,25 @@ bool LayerModel::change(int row, const QVariant& value, int role)
     if (layer == before)
         return false;
     session_.history.push(new app::SetContainers(session_.document, containers.with(layer), text));
+    return true;
+}
+
+/// An object alone.
+bool LayerModel::show(std::size_t object, bool visible)
+{
+    if (object >= session_.now().objects().size()
+        || session_.now().objects()[object].hidden() != visible)
+        return false;
+    const app::Containers& containers = session_.now().containers();
+    const QString name = app::objectName(session_, object);
+    if (containers.locked(containers.containerOf(object))) {
+        emit session_.refused(
+            Text::tr("%1 is in a locked layer or group. Unlock that first.").arg(name));
+        return false;
+    }
+    const QString text = visible ? Text::tr("Show %1") : Text::tr("Hide %1");
+    session_.history.push(
+        new app::SetHidden(session_.document, {object}, !visible, text.arg(name)));
     return true;
 }
 

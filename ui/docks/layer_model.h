@@ -64,6 +64,7 @@ protected:
 private:
     void follow(const app::DocumentChange& change);
     void showRows();
+    bool show(std::size_t object, bool visible);
     QVariant containerCell(const app::TreeRow& row, int role) const;
     QVariant objectCell(const app::TreeRow& row, int role) const;
     QString spoken(const app::TreeRow& row, const QStringList& states) const;

@@ -45,6 +45,12 @@ QRect nameBox(const QRect& row, const QModelIndex& index)
             QPoint(row.right() - (counts ? 90 : space::dockMargin), row.bottom())};
 }
 
+/// All but the row that shows more.
+bool hasEye(const QModelIndex& index)
+{
+    return index.data(Model::CountRole).isValid() || index.data(Model::IconRole).isValid();
+}
+
 void drawChevron(QPainter& painter, const QRect& box, bool open, const QColor& colour)
 {
     const QPointF middle = QRectF(box).center();
@@ -116,10 +122,10 @@ void LayerPainter::paint(QPainter* painter, const QStyleOptionViewItem& given,
     drawRowGround(*painter, option);
     const QVariant count = index.data(Model::CountRole);
     const bool visible = index.data(Model::VisibleRole).toBool();
-    if (count.isValid()) {
+    if (hasEye(index))
         drawEye(*painter, option.rect, visible);
+    if (count.isValid())
         drawLock(*painter, option.rect, index);
-    }
     if (const QVariant open = index.data(Model::OpenRole); open.isValid())
         drawChevron(*painter, chevron(option.rect, index), open.toBool(), look.muted);
     drawKind(*painter, option.rect, index, look);
@@ -140,8 +146,8 @@ void LayerPainter::updateEditorGeometry(QWidget* editor, const QStyleOptionViewI
 
 bool LayerPainter::hitsSign(const QRect& row, const QModelIndex& index, const QPoint& at)
 {
-    const bool isContainer = index.data(Model::CountRole).isValid();
-    return (isContainer && (hits(eye(row), at) || hits(lock(row), at)))
+    return (hasEye(index) && hits(eye(row), at))
+           || (index.data(Model::CountRole).isValid() && hits(lock(row), at))
            || (index.data(Model::OpenRole).isValid() && hits(chevron(row, index), at));
 }
 
@@ -160,8 +166,11 @@ bool LayerPainter::editorEvent(QEvent* event, QAbstractItemModel* model,
         layers.setOpen(index, !open.toBool());
         return true;
     }
-    if (!index.data(Model::CountRole).isValid())
-        return false;
+    const bool isContainer = index.data(Model::CountRole).isValid();
+    if (!isContainer)
+        return hasEye(index) && hits(eye(option.rect), at)
+               && model->setData(index, !index.data(Model::VisibleRole).toBool(),
+                                 Model::VisibleRole);
     if (mouse.modifiers() & Qt::AltModifier && hits(eye(option.rect), at)) {
         layers.showOnly(index);
         return true;

@@ -10,6 +10,7 @@
 #include "app/commands/rearrange_objects.h"
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_containers.h"
+#include "app/commands/set_hidden.h"
 #include "app/commands/set_page_parts.h"
 #include "app/commands/set_style.h"
 #include "app/commands/transform_objects.h"
@@ -251,6 +252,10 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"move-objects",
      [](RandomCommands& r) -> app::UndoCommand* {
          return new app::MoveObjects(r.document_, r.some(), r.random_.point());
+     }},
+    {"set-hidden",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         return new app::SetHidden(r.document_, r.some(), r.random_.below(2) == 0, "Hide");
      }},
     {"resize-objects", [](RandomCommands& r) { return r.resize(); }},
     {"transform-objects", [](RandomCommands& r) { return r.transform(); }},

@@ -267,6 +267,33 @@ private slots:
         QVERIFY(!panel.at(0).data(LayerModel::VisibleRole).toBool());
         QVERIFY(!qobject_cast<QLineEdit*>(QApplication::focusWidget()));
     }
+    void anObjectIsHiddenAlone()
+    {
+        Panel panel;
+        panel.clickChevron("high");
+        panel.click(".Line 3");
+        const auto clickEye = [&] {
+            const QRect row = panel.list->visualRect(panel.at(panel.rowOf(".Line 3")));
+            QTest::mouseClick(panel.list->viewport(), Qt::LeftButton, {},
+                              {row.left() + space::dockMargin + 8, row.center().y()});
+        };
+        clickEye();
+        QVERIFY(panel.session().now().objects()[2].hidden());
+        QVERIFY(panel.session().selection().empty()); // what is hidden cannot be edited
+        QCOMPARE(panel.session().scene.lines().size(), std::size_t(5));
+        QCOMPARE(panel.session().history.undoText(), QStringLiteral("Hide Line 3"));
+        QCOMPARE(panel.at(3).data(Qt::AccessibleTextRole).toString(),
+                 QStringLiteral("Line 3, hidden, level 2"));
+        clickEye();
+        QVERIFY(!panel.session().now().objects()[2].hidden());
+        panel.click(".Line 3");
+        panel.session().history.undo();
+        QVERIFY(panel.session().selection().empty());
+        panel.session().history.redo();
+        panel.list->model()->setData(panel.at(0), true, LayerModel::LockedRole);
+        clickEye();
+        QVERIFY(!panel.session().now().objects()[2].hidden());
+    }
     // The drawing is not moved instead.
     void itsKeysStayInTheListAtItsEnds()
     {
