@@ -48,7 +48,7 @@ QVariant LayerModel::containerCell(const app::TreeRow& row, int role) const
     case CountRole:
         return qulonglong(objects.size());
     case OpenRole:
-        return objects.empty() ? QVariant() : QVariant(tree_.isOpen(row.container));
+        return objects.empty() || search_ ? QVariant() : QVariant(tree_.isOpen(row.container));
     case IconRole:
         return isLayer ? QVariant() : QVariant(QStringLiteral("group"));
     case PenRole:
@@ -68,7 +68,7 @@ QVariant LayerModel::containerCell(const app::TreeRow& row, int role) const
     case Qt::AccessibleTextRole:
         return spoken(row, {container.visible ? Text::tr("shown") : Text::tr("hidden"),
                             container.locked ? Text::tr("locked") : Text::tr("not locked"),
-                            objects.empty()               ? QString()
+                            objects.empty() || search_    ? QString()
                             : tree_.isOpen(row.container) ? Text::tr("open")
                                                           : Text::tr("closed")});
     default:

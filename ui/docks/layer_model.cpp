@@ -20,6 +20,8 @@ LayerModel::LayerModel(app::Session& session, QObject* parent)
     connect(&session, &app::Session::selectionChanged, this, [this] {
         tellChanged({SelectedRole, HoldsRole});
     });
+    searching_.setInterval(0);
+    connect(&searching_, &QTimer::timeout, this, &LayerModel::searchOn);
 }
 
 int LayerModel::rows() const { return int(rows_.size()); }
@@ -70,17 +72,64 @@ app::ObjectRanges LayerModel::objectsOf(int first, int last) const
 void LayerModel::setOpen(const QModelIndex& index, bool open)
 {
     const app::TreeRow* row = rowAt(index);
-    if (!row || !index.data(OpenRole).isValid())
+    if (!row || !index.data(OpenRole).isValid()) // what is found is shown, be it open or not
         return;
     tree_.setOpen(row->container, open);
     showRows();
     tellChanged({OpenRole});
 }
 
+void LayerModel::find(const QString& typed)
+{
+    if (typed.simplified() == typed_)
+        return;
+    typed_ = typed.simplified();
+    most_ = app::ObjectTree::atFirst;
+    searchAgain();
+    tellChanged({OpenRole});
+}
+
+// A first slice at once, so that a drawing of usual size shows no half of what is found.
+void LayerModel::searchAgain()
+{
+    search_.reset();
+    searching_.stop();
+    if (typed_.isEmpty()) {
+        showRows();
+        emit foundChanged();
+        return;
+    }
+    search_.emplace(session_, typed_);
+    searching_.start();
+    searchOn();
+}
+
+void LayerModel::searchOn()
+{
+    constexpr std::chrono::milliseconds atOnce(6);
+    const std::size_t before = search_->found();
+    if (search_->advance(atOnce))
+        searching_.stop();
+    // While it goes on, no row is inserted into those that are seen.
+    if (before < most_ || !searching_.isActive())
+        showRows();
+    emit foundChanged();
+}
+
+QModelIndex LayerModel::firstFound() const
+{
+    const auto found = std::ranges::find_if(rows_, [](const app::TreeRow& row) {
+        return row.kind == Kind::Object || row.kind == Kind::Group;
+    });
+    return index(found == rows_.end() ? 0 : int(found - rows_.begin()));
+}
+
 void LayerModel::showMore(const QModelIndex& index)
 {
     if (const app::TreeRow* row = rowAt(index); row && row->kind == Kind::More) {
-        tree_.showMore(row->container);
+        most_ += app::ObjectTree::atFirst;
+        if (!search_)
+            tree_.showMore(row->container);
         showRows();
     }
 }
@@ -113,10 +162,20 @@ QModelIndex LayerModel::revealSelection()
     return indexOf(around);
 }
 
+std::vector<app::TreeRow> LayerModel::rowsNow() const
+{
+    if (!search_)
+        return tree_.rows(session_.now().containers());
+    auto rows = search_->rows(most_);
+    if (search_->found() > most_)
+        rows.push_back({Kind::More, rows.back().container, search_->found() - most_, 1});
+    return rows;
+}
+
 /// Rows at the beginning and at the end that stay the same keep what views know of them.
 void LayerModel::showRows()
 {
-    auto now = tree_.rows(session_.now().containers());
+    auto now = rowsNow();
     if (now == rows_)
         return;
     changesRows_ = true;
@@ -201,7 +260,10 @@ void LayerModel::showOnly(const QModelIndex& index)
 
 bool LayerModel::addLayer()
 {
-    const auto layers = std::ranges::count(rows_, Kind::Layer, &app::TreeRow::kind);
+    const app::Containers& tree = session_.now().containers();
+    const auto layers = std::ranges::count_if(tree.inOrder(), [&](app::ContainerId id) {
+        return tree[id].kind == app::Container::Kind::Layer;
+    });
     return app::addLayer(session_, Text::tr("Layer %1").arg(layers + 1));
 }
 
@@ -223,16 +285,20 @@ void LayerModel::follow(const app::DocumentChange& change)
     if (change.everything) {
         beginResetModel();
         tree_ = {};
-        rows_ = tree_.rows(session_.now().containers());
+        search_.reset();
+        rows_ = rowsNow();
         endResetModel();
+        searchAgain();
         return;
     }
     if (!change.containers && !change.objects)
         return;
-    if (change.containers || tree_.isAnyOpen()) {
+    if (change.containers)
         tree_.forgetGone(session_.now().containers());
+    if (search_)
+        searchAgain();
+    else if (change.containers || tree_.isAnyOpen())
         showRows(); // no reset, because it would close an editor that is open on a name
-    }
     tellChanged();
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "app/document/object_tree.h"
-#include "app/session/session.h"
+#include "app/session/tree_search.h"
 #include "ui/widgets/checked_model.h"
+
+#include <QTimer>
 
 namespace ui {
 
@@ -41,6 +43,13 @@ public:
     bool isOpen(const QModelIndex& index) const { return index.data(OpenRole).toBool(); }
     void setOpen(const QModelIndex& index, bool open);
     void showMore(const QModelIndex& index); ///< more of a layer of which only some are shown
+    /// Shows only what is found by these words, with the layers and groups around it; nothing
+    /// typed: all rows again.
+    void find(const QString& typed);
+    bool finds() const { return search_.has_value(); }
+    std::size_t found() const { return search_ ? search_->found() : 0; }
+    /// The first object or group that is found; else the first row.
+    QModelIndex firstFound() const;
     /// The objects of groups and objects in these rows that may be selected.
     app::ObjectRanges objectsOf(int first, int last) const;
 
@@ -54,6 +63,7 @@ public:
 
 signals:
     void rowsChanged();
+    void foundChanged(); ///< how many are found
 
 protected:
     int rows() const override;
@@ -64,7 +74,10 @@ protected:
 private:
     void follow(const app::DocumentChange& change);
     void showRows();
+    std::vector<app::TreeRow> rowsNow() const;
     bool show(std::size_t object, bool visible);
+    void searchAgain();
+    void searchOn();
     QVariant containerCell(const app::TreeRow& row, int role) const;
     QVariant objectCell(const app::TreeRow& row, int role) const;
     QString spoken(const app::TreeRow& row, const QStringList& states) const;
@@ -74,6 +87,10 @@ private:
     app::Session& session_;
     app::ObjectTree tree_;
     std::vector<app::TreeRow> rows_; ///< as last reported to views
+    QString typed_;
+    std::optional<app::TreeSearch> search_; ///< while something is typed
+    std::size_t most_ = 0;                  ///< rows of what is found
+    QTimer searching_;
     bool changesRows_ = false;
 };
 

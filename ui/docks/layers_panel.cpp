@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/layers_panel.h"
 
+#include "app/base/numbers.h"
 #include "app/document/styles_in_use.h"
 #include "app/session/layer_colour.h"
 #include "app/session/recent_colours.h"
@@ -10,6 +11,7 @@
 #include "ui/widgets/buttons.h"
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/panel_list.h"
+#include "ui/widgets/search_field.h"
 
 #include <QSettings>
 #include <QTimer>
@@ -19,7 +21,9 @@ namespace ui {
 
 LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new LayerModel(session, this)),
-      list_(new LayerList(session, model_)), add_(iconButton("plus", Text::tr("Add layer"))),
+      list_(new LayerList(session, model_)),
+      search_(new SearchField(Text::tr("Find a layer, group or object"))),
+      add_(iconButton("plus", Text::tr("Add layer"))),
       remove_(iconButton("bin", Text::tr("Delete layer"))), row_(new QWidget(list_->viewport())),
       colours_(new ColourPopup(this))
 {
@@ -35,6 +39,10 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 4);
     column->setSpacing(2);
+    auto* above = new QHBoxLayout;
+    above->setContentsMargins(space::dockMargin, 0, space::dockMargin, 2);
+    above->addWidget(search_);
+    column->addLayout(above);
     column->addWidget(list_);
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(space::dockMargin - 4, 0, space::dockMargin, 0);
@@ -43,6 +51,7 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     buttons->addStretch();
     column->addLayout(buttons);
     connect(add_, &QToolButton::clicked, this, [this] {
+        search_->clear();
         if (!model_->addLayer())
             return;
         list_->setCurrentIndex(model_->index(0));
@@ -67,7 +76,21 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     });
     connect(&session, &app::Session::loaded, this, &LayersPanel::follow);
     connect(&session, &app::Session::selectionChanged, this, &LayersPanel::reveal);
+    connect(search_, &QLineEdit::textChanged, model_, &LayerModel::find);
+    connect(model_, &LayerModel::foundChanged, this, &LayersPanel::sayFound);
+    connect(search_, &SearchField::left, this, [this] {
+        if (!list_->currentIndex().isValid() || model_->finds())
+            list_->setCurrentIndex(model_->firstFound());
+        list_->setFocus(Qt::TabFocusReason);
+    });
     follow();
+}
+
+void LayersPanel::sayFound()
+{
+    search_->showResult(!model_->finds()       ? QString()
+                        : model_->found() == 0 ? Text::tr("none")
+                                               : app::countText(model_->found()));
 }
 
 void LayersPanel::showEvent(QShowEvent* event)

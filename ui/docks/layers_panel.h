@@ -8,9 +8,11 @@
 namespace ui {
 
 class ColourPopup;
+class SearchField;
 
 /// The layers: eye, colour, name, number of objects, padlock; and the groups and objects of those
-/// that are open. New objects go to the layer that was clicked last.
+/// that are open, or what the field above them finds. New objects go to the layer that was clicked
+/// last.
 class LayersPanel : public QWidget {
     Q_OBJECT
 
@@ -20,12 +22,14 @@ public:
 private:
     void chooseColour(app::ContainerId layer);
     void follow();
+    void sayFound();
     void reveal();
     void showEvent(QShowEvent* event) override;
 
     app::Session& session_;
     LayerModel* model_;
     LayerList* list_;
+    SearchField* search_;
     QToolButton *add_, *remove_;
     QWidget* row_; ///< the place of a row: never shown, the colours open below it
     ColourPopup* colours_;

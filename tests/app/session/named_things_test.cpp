@@ -57,6 +57,23 @@ class NamedThingsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void whatHasNoNameIsFoundByItsNumber()
+    {
+        DocumentBuilder builder;
+        builder.open({.name = QStringLiteral("Fence")});
+        for (int i = 0; i < 12; ++i)
+            builder.add({.path = Path(clipping::Segment{{0, 0}, {1, double(i)}}),
+                         .style = {.stroke = Colour{}}});
+        builder.close();
+        Session session;
+        session.load({builder.take({}), {}});
+        QVERIFY(thingsNamed(session, QStringLiteral("line"), 100, 1s).list.empty());
+        const auto found = thingsNamed(session, QStringLiteral("line 12"), 100, 1s).list;
+        QCOMPARE(found.size(), std::size_t(1));
+        QCOMPARE(found[0].name, QStringLiteral("Line 12"));
+        QVERIFY(chooseThing(session, found[0]));
+        QCOMPARE(session.selection(), ObjectRanges({11}));
+    }
     void windowsLayersAndObjectsAreFound()
     {
         const Garden garden;

@@ -2,6 +2,7 @@
 // Groups and objects in the panel Layers, with mouse and keys.
 #include "app/document/document_builder.h"
 #include "ui/docks/layers_panel.h"
+#include "ui/widgets/search_field.h"
 
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -220,6 +221,30 @@ private slots:
                                             ".Line 3", "low"}));
         drag(panel, ".pair", "..Line 4", 0); // not into itself
         QCOMPARE(panel.session().history.count(), 2);
+    }
+    void theFieldFilters()
+    {
+        Panel panel;
+        auto* field = panel.window->findChild<SearchField*>();
+        field->setFocus();
+        QTest::keyClicks(field, "line 5");
+        QTRY_COMPARE(panel.rows(), QStringList({"high", ".pair", "..Line 5"}));
+        QCOMPARE(field->accessibleDescription(), QStringLiteral("found: 1"));
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(panel.list->hasFocus());
+        panel.click("..Line 5");
+        QCOMPARE(panel.session().selection(), Ranges({4}));
+        panel.run("delete");
+        QTRY_COMPARE(panel.rows(), QStringList());
+        QCOMPARE(field->accessibleDescription(), QStringLiteral("found: none"));
+        panel.run("undo");
+        QTRY_COMPARE(panel.rows().size(), 3);
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(field->text().isEmpty() && field->hasFocus());
+        QVERIFY(panel.rows().contains("low"));
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(!field->hasFocus());
     }
     // Below the last row is no layer.
     void objectsThatAreDroppedNowhereStay()
