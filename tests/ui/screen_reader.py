@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a screen reader gets of the editor: screen_reader.py CLEARCUT DRAWING
+"""What a screen reader gets of the editor: screen_reader.py XVFB_RUN DBUS_RUN_SESSION CLEARCUT DRAWING
 
-Starts the program, with a clip window in its drawing, and uses it by the keyboard alone (xdotool),
-while it listens on the accessibility bus as a screen reader does (pyatspi). To be run inside
-xvfb-run and dbus-run-session. Prints what is missing, and ends with 1 if anything is.
+Starts the program, with a clip window in its drawing, in a display and a session of its own, and uses it by the
+keyboard alone (xdotool), while it listens on the accessibility bus as a screen reader does (pyatspi). Prints what is
+missing, and ends with 1 if anything is.
 """
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -233,14 +234,31 @@ def check_selection(reader):
     reader.key("Escape", "v")
 
 
-def main():
+def in_own_session(xvfb_run, dbus_run_session, *arguments):
+    """Runs this script there. What D-Bus has started may outlive its session, and would keep a pipe open."""
+    with tempfile.TemporaryFile() as output:
+        session = subprocess.Popen(
+            [xvfb_run, "-a", "-s", "-screen 0 1440x900x24 -nolisten tcp", dbus_run_session, "--",
+             sys.executable, __file__, *arguments], stdout=output, stderr=output, start_new_session=True)
+        result = session.wait()
+        try:
+            os.killpg(session.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass  # nothing is left
+        output.seek(0)
+        if result:
+            print(output.read().decode(errors="replace"))
+    return result
+
+
+def listen(program, drawing):
     with tempfile.TemporaryDirectory() as folder:
         for variable in ("XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"):
             os.environ[variable] = folder
         os.environ["QT_LINUX_ACCESSIBILITY_ALWAYS_ON"] = "1"
         reader = Reader()
         try:
-            reader.start(*sys.argv[1:])
+            reader.start(program, drawing)
             for number, name in enumerate(("Draw", "Cut", "Compare", "Learn"), 1):
                 reader.key(f"ctrl+alt+{number}")
                 reader.wait(lambda: has(reader.entry("View", "Workspace", name), "checked"), f"the workspace {name}")
@@ -263,4 +281,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(listen(*sys.argv[1:]) if len(sys.argv) == 3 else in_own_session(*sys.argv[1:]))
