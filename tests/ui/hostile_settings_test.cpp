@@ -46,6 +46,10 @@ class HostileSettingsTest : public QObject {
                 "undoMegabytes",
                 "darkPaper",
                 "capsule",
+                "folds/workspace-draw",
+                "folds/workspace-cut",
+                "folds/workspace-compare",
+                "folds/workspace-learn",
                 "palette/recent",
                 "shortcuts",
                 "lessons/done"};

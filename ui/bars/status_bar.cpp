@@ -172,6 +172,7 @@ void StatusBar::showTimes()
         : timed         ? Text::tr("clip %1  painting…").arg(clip)
                         : Text::tr("painting…"));
     explainTimes();
+    emit this->timed(timed ? clip : QString(), last_.differing);
 }
 
 void StatusBar::explainTimes()

@@ -42,6 +42,8 @@ public:
 
 signals:
     void warningWanted(const QString& sentence); ///< the warning was pressed: say it again
+    /// The time of clipping, empty if there are too few lines, and how many are seen to differ.
+    void timed(const QString& clip, std::size_t differing);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/algorithm_panel.h"
 
+#include "app/base/text.h"
 #include "app/session/window_in_hand.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
+#include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/heading.h"
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/look_label.h"
@@ -157,7 +159,6 @@ void AlgorithmPanel::follow()
     published_->setText(both ? Text::tr("as published") : Text::tr("published: none"));
     (used.form == clipping::Form::Published ? published_ : corrected_)->setChecked(true);
     outdate();
-    emit titled(title());
     followNeeds();
 }
 
@@ -174,14 +175,24 @@ void AlgorithmPanel::followNeeds()
                                   : Text::tr("Published forms clip at rectangles only"));
     instead_->setText(instead);
     remark_->setCurrentIndex(instead.isEmpty() ? 0 : 1);
-    emit remarked(app::headingInHand(session_));
+    emit titled(title());
+}
+
+QIcon AlgorithmPanel::sign() const { return markerIcon(session_.variant()); }
+
+QString AlgorithmPanel::abbreviation() const
+{
+    return app::latin(session_.variant().algorithm->abbreviation);
 }
 
 QString AlgorithmPanel::title() const
 {
     const app::Variant used = session_.variant();
-    const QString name = QLatin1StringView(used.algorithm->name);
-    return used.form == clipping::Form::Published ? Text::tr("%1, as published").arg(name) : name;
+    const QString name = app::latin(used.algorithm->name);
+    const QString form =
+        used.form == clipping::Form::Published ? Text::tr("%1, as published").arg(name) : name;
+    const QString where = app::headingInHand(session_);
+    return where.isEmpty() ? form : form + u' ' + where;
 }
 
 void AlgorithmPanel::paintVerdict()

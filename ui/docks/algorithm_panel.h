@@ -29,14 +29,16 @@ public:
     /// Compares on another thread, and then calls `done`; not if anything changes before.
     void compare(std::function<void()> done = {});
     void finish() { comparing_.wait(); } ///< waits for the comparison
-    QString title() const;               ///< the algorithm and its form: "Skala, as published"
+    // The algorithm in the heading of the section.
+    QIcon sign() const;
+    QString abbreviation() const;
+    QString title() const; ///< "Skala, as published, for Star: concave, 10 edges"
     QString verdict() const { return verdict_->text(); }
     QString instead() const { return instead_->text(); }
     const std::vector<app::Disagreement>& disagreements() const { return disagreements_; }
 
 signals:
     void titled(const QString& title);
-    void remarked(const QString& remark); ///< the window in hand: "for Star: concave, 10 edges"
     void aboutWanted(const clipping::Algorithm& algorithm); ///< asks for its page
     void menuWanted(const clipping::Algorithm& algorithm, const QPoint& place); ///< of a row
 

@@ -2,7 +2,6 @@
 #include "ui/docks/cut_options.h"
 
 #include "app/settings/remembered.h"
-#include "ui/docks/window_panel.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
@@ -37,7 +36,7 @@ void remember(const app::CutChoices& choices)
 
 } // namespace
 
-CutOptionsBox::CutOptionsBox(app::Session& session, WindowPanel& panel)
+CutOptionsBox::CutOptionsBox(app::Session& session)
     : session_(session),
       close_(makeCheck(
           Text::tr("Close cut areas"),
@@ -67,17 +66,18 @@ CutOptionsBox::CutOptionsBox(app::Session& session, WindowPanel& panel)
     grid->addWidget(hidden_, 0, 1, 1, 2);
     grid->addWidget(label, 1, 0);
     grid->addWidget(least_, 1, 1);
-    grid->addWidget(&panel.tilesButton(), 1, 2, Qt::AlignRight);
     grid->setColumnStretch(2, 1);
-    grid->setContentsMargins(space::dockMargin, 0, space::dockMargin, space::dockMargin);
+    grid->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                             space::dockMargin);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     connect(least_, &LengthField::edited, this, [this](double length) {
         app::CutChoices choices = session_.display().cutting;
         choices.leastMillimetres = length * session_.now().page().millimetresPerUnit();
         change(choices);
     });
-    connect(least_, &LengthField::entered, &panel, &WindowPanel::entered);
-    connect(least_, &LengthField::refused, &panel, &WindowPanel::refused);
-    connect(least_, &LengthField::taken, &panel, &WindowPanel::taken);
+    connect(least_, &LengthField::entered, this, &CutOptionsBox::entered);
+    connect(least_, &LengthField::refused, this, &CutOptionsBox::refused);
+    connect(least_, &LengthField::taken, this, &CutOptionsBox::taken);
     connect(&session, &app::Session::displayChanged, this, &CutOptionsBox::follow);
     change(remembered());
     follow();
@@ -110,18 +110,21 @@ void CutOptionsBox::follow()
     hidden_->setChecked(choices.cutHidden);
     const double unit = session_.now().page().millimetresPerUnit();
     least_->show(choices.leastMillimetres / unit, session_.display().unit, unit);
+    emit titled(title());
 }
 
-QWidget* withCutOptions(WindowPanel& panel, app::Session& session)
+QString CutOptionsBox::title() const
 {
-    auto* both = new QWidget;
-    both->setSizePolicy(panel.sizePolicy());
-    auto* column = new QVBoxLayout(both);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(&panel);
-    column->addWidget(new CutOptionsBox(session, panel));
-    return both;
+    const app::CutChoices& choices = session_.display().cutting;
+    const double unit = session_.now().page().millimetresPerUnit();
+    const QString areas = choices.closeAreas ? Text::tr("areas closed") : Text::tr("areas open");
+    const QString pieces = choices.leastMillimetres > 0
+                               ? Text::tr("no piece below %1")
+                                     .arg(app::lengthText(choices.leastMillimetres / unit,
+                                                          session_.display().unit, unit))
+                               : Text::tr("every piece kept");
+    return choices.cutHidden ? Text::tr("%1, %2, hidden objects too").arg(areas, pieces)
+                             : Text::tr("%1, %2").arg(areas, pieces);
 }
 
 } // namespace ui

@@ -10,16 +10,22 @@ class QCheckBox;
 namespace ui {
 
 class LengthField;
-class WindowPanel;
 
-/// How clip windows cut, at the foot of the panel Clip window. The choices are remembered; Crop,
-/// Cut out, Split, Export and the canvas follow them.
+/// How clip windows cut. The choices are remembered; Crop, Cut out, Split, Export and the canvas
+/// follow them.
 class CutOptionsBox : public QWidget {
     Q_OBJECT
 
 public:
-    /// A field's signals are passed on as the panel's.
-    CutOptionsBox(app::Session& session, WindowPanel& panel);
+    explicit CutOptionsBox(app::Session& session);
+
+    QString title() const; ///< the choices in words: "areas open, every piece kept"
+
+signals:
+    void titled(const QString& remark);
+    void entered(); ///< a length was entered: the focus returns to the canvas
+    void refused(const QString& sentence); ///< the typed text is not a length
+    void taken();                          ///< the field's value is valid again
 
 private:
     QCheckBox* makeCheck(const QString& text, const QString& tip, bool app::CutChoices::*choice);
@@ -30,8 +36,5 @@ private:
     QCheckBox *close_, *hidden_;
     LengthField* least_;
 };
-
-/// The panel with the options at its foot.
-QWidget* withCutOptions(WindowPanel& panel, app::Session& session);
 
 } // namespace ui

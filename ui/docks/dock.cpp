@@ -8,7 +8,8 @@
 namespace ui {
 
 Dock::Dock(std::string_view key, const QString& title, QWidget* body, QWidget* parent)
-    : QDockWidget(title, parent), title_(new DockTitle(*this)), noTitle_(new QWidget(this))
+    : QDockWidget(title, parent), title_(new DockTitle(*this)), noTitle_(new QWidget(this)),
+      body_(body), nothing_(new QWidget(this))
 {
     setObjectName(app::latin(key));
     setAccessibleName(title);
@@ -16,22 +17,17 @@ Dock::Dock(std::string_view key, const QString& title, QWidget* body, QWidget* p
     body->setAutoFillBackground(true);
     body->setBackgroundRole(QPalette::Button);
     setTitleBarWidget(title_);
-    noTitle_->setFixedHeight(0);
-    noTitle_->hide();
-}
-
-void Dock::setName(const QString& name) { title_->setName(name); }
-
-void Dock::setRemark(const QString& remark)
-{
-    remark_ = remark;
-    showFolded();
+    for (QWidget* flat : {noTitle_, nothing_}) {
+        flat->setFixedHeight(0);
+        flat->hide();
+    }
+    connect(title_, &DockTitle::foldWanted, this, &Dock::foldWanted);
 }
 
 void Dock::setFoldable(bool foldable)
 {
+    foldable_ = foldable;
     title_->setFoldable(foldable);
-    connect(title_, &DockTitle::foldWanted, this, &Dock::foldWanted);
 }
 
 void Dock::setFolded(bool folded)
@@ -40,19 +36,13 @@ void Dock::setFolded(bool folded)
     showFolded();
 }
 
-void Dock::setFoldedRemark(const QString& remark)
-{
-    foldedRemark_ = remark;
-    showFolded();
-}
-
 void Dock::showFolded()
 {
     const bool onlyTitle = folded_ && titleBarWidget() == title_;
-    title_->setRemark(onlyTitle ? foldedRemark_ : remark_);
     title_->showFolded(onlyTitle);
-    widget()->setVisible(!onlyTitle);
-    setMaximumHeight(onlyTitle ? space::dockTitleHeight : QWIDGETSIZE_MAX);
+    // A hidden body would not let the column be wider than the headings need.
+    if (QWidget* shown = onlyTitle ? nothing_ : body_; shown != widget())
+        setWidget(shown);
 }
 
 void Dock::setTitle(Title where)

@@ -8,53 +8,105 @@
 #include <QAction>
 #include <QApplication>
 #include <QEvent>
+#include <QMouseEvent>
 #include <QPainter>
+#include <QToolButton>
+
+#include <utility>
 
 namespace ui {
 
+namespace {
+
+constexpr int signSide = 14;
+
+} // namespace
+
 DockTitle::DockTitle(QDockWidget& dock)
-    : QWidget(&dock), dock_(dock), name_(new QLabel(dock.windowTitle())), remark_(new ElidedLabel),
-      row_(new QHBoxLayout(this)), chevron_(new QToolButton)
+    : QWidget(&dock), dock_(dock), chevron_(new FoldButton), sign_(new IconSign(QIcon(), signSide)),
+      name_(new QLabel(dock.windowTitle())), remark_(new ElidedLabel), aside_(new QStackedWidget),
+      valueSign_(new IconSign("tick", signSide)), value_(new LookLabel)
 {
     name_->setFont(semiBold(font()));
     remark_->setForegroundRole(QPalette::PlaceholderText);
-    row_->setContentsMargins(space::dockMargin, 0, 4, 0);
-    row_->setSpacing(2);
-    chevron_->setAutoRaise(true);
-    chevron_->setFixedSize(18, 18);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(space::dockMargin, 0, 4, 0);
+    row->setSpacing(2);
+    row->addWidget(chevron_);
+    row->addWidget(sign_);
+    row->addSpacing(2);
+    row->addWidget(name_);
+    row->addSpacing(6);
+    row->addWidget(remark_, 1);
+    row->addWidget(aside_);
     chevron_->hide();
-    connect(chevron_, &QToolButton::clicked, this,
-            [this] { emit foldWanted(chevron_->arrowType() == Qt::DownArrow); });
-    row_->addWidget(chevron_);
-    row_->addWidget(name_);
-    row_->addSpacing(6);
-    row_->addWidget(remark_, 1);
+    sign_->hide();
+    showFolded(false);
+    connect(chevron_, &FoldButton::foldWanted, this, &DockTitle::foldWanted);
+    addValue();
+    auto* buttons = new QWidget;
+    auto* buttonRow = new QHBoxLayout(buttons);
+    buttonRow->setContentsMargins(0, 0, 0, 0);
+    buttonRow->setSpacing(2);
+    buttonRow->addStretch();
+    aside_->addWidget(buttons);
+    aside_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     auto* floating = new QAction(icon("float"), Text::tr("Detach or attach this panel"), this);
     auto* close = new QAction(icon("close"), Text::tr("Close this panel"), this);
     connect(floating, &QAction::triggered, &dock,
             [&dock] { dock.setFloating(!dock.isFloating()); });
     connect(close, &QAction::triggered, &dock, &QDockWidget::close);
-    addButton(floating);
-    addButton(close);
+    addButton(floating, *buttonRow);
+    addButton(close, *buttonRow);
     dock.installEventFilter(this);
     connect(qApp, &QApplication::focusChanged, this, &DockTitle::showButtons);
     showButtons();
 }
 
+void DockTitle::addValue()
+{
+    auto* value = new QWidget;
+    auto* row = new QHBoxLayout(value);
+    row->setContentsMargins(0, 0, space::dockMargin - 4, 0);
+    row->setSpacing(4);
+    row->addStretch();
+    row->addWidget(valueSign_);
+    row->addWidget(value_);
+    valueSign_->hide();
+    aside_->addWidget(value);
+}
+
+void DockTitle::setSign(const QIcon& sign)
+{
+    sign_->show(sign);
+    sign_->setVisible(!sign.isNull());
+}
+
 void DockTitle::setName(const QString& name) { name_->setText(name); }
 
-void DockTitle::setRemark(const QString& remark) { remark_->setWhole(remark); }
+void DockTitle::setRemark(const QString& remark)
+{
+    remark_->setWhole(remark);
+    remark_->setToolTip(remark);
+}
+
+void DockTitle::setValue(const SectionValue& value)
+{
+    if (value == std::exchange(shown_, value))
+        return;
+    value_->setText(value.text);
+    value_->setColour(value.colour);
+    if (!value.sign.empty())
+        valueSign_->show(value.sign, value.colour);
+    valueSign_->setVisible(!value.sign.empty());
+    showButtons();
+}
 
 void DockTitle::setFoldable(bool foldable) { chevron_->setVisible(foldable); }
 
-void DockTitle::showFolded(bool folded)
-{
-    chevron_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
-    chevron_->setToolTip(folded ? Text::tr("Unfold this panel") : Text::tr("Fold this panel"));
-    chevron_->setAccessibleName(chevron_->toolTip());
-}
+void DockTitle::showFolded(bool folded) { chevron_->show(folded, dock_.windowTitle()); }
 
-void DockTitle::addButton(QAction* action)
+void DockTitle::addButton(QAction* action, QLayout& row)
 {
     auto* button = new QToolButton;
     button->setDefaultAction(action);
@@ -62,11 +114,7 @@ void DockTitle::addButton(QAction* action)
     button->setIconSize({16, 16});
     button->setFixedSize(22, 22);
     button->setAccessibleName(action->text());
-    auto policy = button->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    button->setSizePolicy(policy);
-    row_->addWidget(button);
-    buttons_ << button;
+    row.addWidget(button);
 }
 
 QSize DockTitle::sizeHint() const { return {120, space::dockTitleHeight}; }
@@ -75,6 +123,30 @@ void DockTitle::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.fillRect(rect(), palette().window());
+}
+
+// The event goes on to the dock, which is dragged by its heading.
+void DockTitle::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && !chevron_->isHidden())
+        pressed_ = event->globalPosition().toPoint();
+    event->ignore();
+}
+
+void DockTitle::mouseReleaseEvent(QMouseEvent* event)
+{
+    event->ignore();
+    const auto pressed = std::exchange(pressed_, std::nullopt);
+    if (pressed
+        && (event->globalPosition().toPoint() - *pressed).manhattanLength()
+               < QApplication::startDragDistance())
+        chevron_->press();
+}
+
+// Of a section that folds, the second click would detach it.
+void DockTitle::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    event->setAccepted(!chevron_->isHidden());
 }
 
 bool DockTitle::eventFilter(QObject* object, QEvent* event)
@@ -88,8 +160,8 @@ void DockTitle::showButtons()
 {
     const QWidget* focus = QApplication::focusWidget();
     const bool wanted = dock_.underMouse() || (focus && dock_.isAncestorOf(focus));
-    for (QToolButton* button : buttons_)
-        button->setVisible(wanted);
+    aside_->setCurrentIndex(wanted ? 1 : 0);
+    aside_->setVisible(wanted || !shown_.text.isEmpty());
 }
 
 } // namespace ui

@@ -70,9 +70,12 @@ QSize HistoryPanel::sizeHint() const
 
 void HistoryPanel::follow()
 {
-    const QSignalBlocker quiet(this); // what the history did is not wanted again
-    setCurrentIndex(model_->now());
+    {
+        const QSignalBlocker quiet(this); // what the history did is not wanted again
+        setCurrentIndex(model_->now());
+    }
     scrollTo(model_->now());
+    emit titled(title());
 }
 
 void HistoryPanel::currentChanged(const QModelIndex& current, const QModelIndex& previous)

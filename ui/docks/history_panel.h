@@ -16,7 +16,10 @@ public:
 
     QSize sizeHint() const override; ///< a few rows: lists above get the rest
 
+    QString title() const { return model_->now().data().toString(); } ///< the last step
+
 signals:
+    void titled(const QString& remark);
     void stepWanted(int index); ///< the number of steps that shall be done
 
 protected:

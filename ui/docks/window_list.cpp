@@ -90,8 +90,6 @@ WindowList::WindowList(app::Session& session) : session_(session)
     setMouseTracking(true);
     setEditTriggers(DoubleClicked);
     viewport()->setAutoFillBackground(false);
-    constexpr int rows = 3; // without scrolling: four panels must fit into 800 pixels
-    setFixedHeight(rows * space::rowHeight);
     connect(selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& current) {
                 // Only a person's choice counts, not the row that follows the session.

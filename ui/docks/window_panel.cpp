@@ -15,22 +15,22 @@
 #include "ui/look/text.h"
 #include "ui/widgets/buttons.h"
 #include "ui/widgets/colour_popup.h"
-#include "ui/widgets/look_label.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/swatch.h"
 
 #include <QLabel>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace ui {
 
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), list_(new WindowList(session)),
       keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
-      result_(new ElidedLabel),
       colour_(iconButton("plus", Text::tr("Colour of the clip window on the screen"))),
       colours_(new ColourPopup(this)), fields_(new WindowFields(session)),
-      tiles_(new QToolButton(this)), pages_(new QStackedLayout(this))
+      pages_(new QStackedLayout(this))
 {
     pages_->addWidget(makeList());
     pages_->addWidget(makeOffer());
@@ -55,16 +55,6 @@ void WindowPanel::rename()
         list_->edit(list_->currentIndex());
 }
 
-void WindowPanel::setTiles(QAction& tiles)
-{
-    tiles_->setDefaultAction(&tiles);
-    tiles_->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    tiles_->setProperty("framed", true);
-    tiles_->setFixedHeight(space::fieldHeight);
-    tiles_->setObjectName(QStringLiteral("open-tiles"));
-}
-
-// Options of cuts, which concern all windows, come below the numbers.
 QWidget* WindowPanel::makeList()
 {
     auto* page = new QWidget;
@@ -85,7 +75,6 @@ QWidget* WindowPanel::makeKeep()
         setKeep(session_, app::Keep(side));
         emit entered();
     });
-    result_->setForegroundRole(QPalette::PlaceholderText);
     auto* caption = new QLabel(Text::tr("Keep"));
     caption->setForegroundRole(QPalette::PlaceholderText);
     auto* row = new QHBoxLayout;
@@ -93,7 +82,7 @@ QWidget* WindowPanel::makeKeep()
     row->setSpacing(space::labelToField);
     row->addWidget(caption);
     row->addWidget(keep_);
-    row->addWidget(result_, 1);
+    row->addStretch();
     addTools(*row);
     auto* side = new QWidget;
     side->setLayout(row);
@@ -168,8 +157,18 @@ void WindowPanel::follow()
     colour_->setEnabled(number.has_value());
     const app::ClipWindow shown = number ? session_.windows().list[*number] : app::ClipWindow{};
     colour_->setIcon(windowSwatchIcon(shown.colour));
-    result_->setWhole(app::resultOf(session_.windows()));
-    result_->setToolTip(Text::tr("What the windows make together: %1").arg(result_->whole()));
+    constexpr std::size_t most = 6; // then the list scrolls: about half of a low column
+    const std::size_t rows = std::clamp<std::size_t>(session_.windows().list.size(), 1, most);
+    list_->setFixedHeight(int(rows) * space::rowHeight);
+    emit titled(title());
+}
+
+QString WindowPanel::title() const
+{
+    const QString result = app::resultOf(session_.windows());
+    return result.isEmpty() || session_.windows().keep == app::Keep::Inside
+               ? result
+               : Text::tr("all but %1", "what the clip windows keep").arg(result);
 }
 
 void WindowPanel::openColours()

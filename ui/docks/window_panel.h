@@ -13,7 +13,6 @@ class QHBoxLayout;
 namespace ui {
 
 class ColourPopup;
-class ElidedLabel;
 class Segments;
 class WindowFields;
 class WindowList;
@@ -26,12 +25,11 @@ class WindowPanel : public QWidget {
 public:
     explicit WindowPanel(app::Session& session, QWidget* parent = nullptr);
 
-    /// A button with a command's name, for the foot of the panel (cut_options.h).
-    void setTiles(QAction& tiles);
-    QToolButton& tilesButton() { return *tiles_; }
-    void rename(); ///< opens the field for the name of the window that tools act on
+    QString title() const; ///< of all windows: "Old town − Market hall + Star"
+    void rename();         ///< opens the field for the name of the window that tools act on
 
 signals:
+    void titled(const QString& remark);
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas
     void refused(const QString& sentence); ///< the typed text is not a length
     void taken();                          ///< a field's value is valid again
@@ -50,11 +48,9 @@ private:
     app::Session& session_;
     WindowList* list_;
     Segments* keep_;
-    ElidedLabel* result_; ///< of all windows: "Old town − Market hall + Star"
     QToolButton* colour_;
     ColourPopup* colours_;
     WindowFields* fields_;
-    QToolButton* tiles_;
     QStackedLayout* pages_; ///< the list, or the offer
 };
 

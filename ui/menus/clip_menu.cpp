@@ -245,7 +245,6 @@ std::vector<ActionInfo> cutRows()
             .icon = "tiles",
             .run = toggleTiles,
             .refusal = whyNoTiles,
-            .made = [](MainWindow& w, QAction& action) { w.windowPanel().setTiles(action); },
         },
     };
 }

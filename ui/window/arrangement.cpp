@@ -16,29 +16,28 @@ namespace {
 
 // Logical pixels.
 constexpr int wide = 1200; // in a narrower window, panels are narrow
-constexpr int high = 780;  // in a lower one they are tabs, except below a folded panel
 constexpr int usualWidth = 336, startWidth = 396, widest = 572;
-constexpr int separator = 4;    // between two panels
-constexpr int barsHeight = 90;  // menus, option bar and status bar, before they are laid out
-constexpr int leastRest = 160;  // for the panels that grow with the window
-constexpr int leastBelow = 190; // for the panels below a comparison panel
+constexpr int separator = 4;   // between two panels
+constexpr int barsHeight = 90; // menus, option bar and status bar, before they are laid out
+constexpr int leastRest = 160; // for the panels that grow with the window
+constexpr int slack = 2; // a window cannot be made lower than its panels: they become tabs before
 
 int wantedHeight(const Dock* dock)
 {
-    return dock->widget()->sizeHint().height() + space::dockTitleHeight;
+    return dock->body().sizeHint().height() + space::dockTitleHeight;
 }
 
 int leastHeight(const Dock* dock)
 {
-    const QWidget& widget = *dock->widget();
+    const QWidget& widget = dock->body();
     const int body = std::max(widget.minimumSizeHint().height(), widget.minimumHeight());
-    return (dock->isFolded() ? 0 : body) + space::dockTitleHeight + separator;
+    return body + space::dockTitleHeight + separator;
 }
 
 /// Lists take what the panels of fixed height leave.
 bool grows(const Dock* dock)
 {
-    return dock->widget()->sizePolicy().verticalPolicy() & QSizePolicy::ExpandFlag;
+    return dock->body().sizePolicy().verticalPolicy() & QSizePolicy::ExpandFlag;
 }
 
 } // namespace
@@ -48,20 +47,23 @@ Arrangement::Arrangement(QMainWindow& window, PanelDocks docks)
 {
 }
 
-Arrangement::Form Arrangement::fitting(const Situation& situation) const
+QList<Dock*> Arrangement::unfolded() const
 {
-    if (situation.starting)
-        return Form::StartInFront;
-    const bool low = window_.height() < high && !situation.folded;
-    return low || !situation.wide.empty() ? Form::Tabs : Form::Stacked;
+    QList<Dock*> docks;
+    for (Dock* dock : column_)
+        if (!dock->isFolded())
+            docks << dock;
+    return docks;
 }
 
 int Arrangement::neededTabs() const
 {
-    const int room =
+    const QList<Dock*> docks = unfolded();
+    int room =
         window_.isVisible() ? window_.centralWidget()->height() : window_.height() - barsHeight;
+    room -= int(column_.size() - docks.size()) * (space::dockTitleHeight + separator) + slack;
     std::vector<int> needed;
-    for (const Dock* dock : column_)
+    for (const Dock* dock : docks)
         needed.push_back(leastHeight(dock));
     return lowerTabs(needed, room);
 }
@@ -70,47 +72,60 @@ void Arrangement::place(const Situation& situation)
 {
     form_ = fitting(situation);
     column_ = docks_.named(situation.workspace->column);
-    docks_.algorithm->setFolded(form_ == Form::Stacked && situation.folded);
+    column_.removeIf(
+        [&](Dock* dock) { return docks_.wide.contains(dock) && !situation.wide.contains(dock); });
+    beside_ = situation.wide;
+    beside_.removeIf([this](Dock* dock) { return column_.contains(dock); });
+    if (!beside_.empty() && (column_.empty() || !docks_.wide.contains(column_.front())))
+        column_.prepend(beside_.takeFirst());
     tabs_ = form_ == Form::Stacked ? neededTabs() : 0;
     for (Dock* dock : docks_.all()) {
         dock->setFloating(false);
         window_.removeDockWidget(dock);
     }
-    addDocks(situation);
-    Dock* const second = column_[1];
-    second->raise();
-    if (tabs_ > 0)
-        column_[column_.size() - tabs_]->raise();
-    Dock* const front = form_ == Form::StartInFront                         ? docks_.start
-                        : !situation.wide.empty()                           ? situation.wide.last()
-                        : form_ == Form::Tabs && situation.workspace->folds ? second
-                                                                            : docks_.algorithm;
-    front->raise();
-    window_.resizeDocks({form_ == Form::StartInFront ? docks_.start : docks_.algorithm},
+    addDocks();
+    raiseDocks(situation);
+    window_.resizeDocks({form_ == Form::StartInFront ? docks_.start : column_.front()},
                         {columnWidth(situation)}, Qt::Horizontal);
     if (form_ == Form::Stacked)
         shareHeight();
-    else if (!situation.wide.empty())
-        shareHeightWithWide(*situation.wide.last());
 }
 
-void Arrangement::addDocks(const Situation& situation)
+void Arrangement::addDocks()
 {
-    const bool allTabs = form_ != Form::Stacked;
-    QList<Dock*> docks = situation.wide;
-    if (form_ == Form::StartInFront)
-        docks << docks_.start;
-    Dock* last = nullptr;
-    for (Dock* dock : docks + column_) {
-        if (dock == column_[1] && !situation.wide.empty())
-            last = nullptr; // the panels from here on are below
+    const auto add = [this](Dock* dock, Dock* inPlaceOf) {
         window_.addDockWidget(Qt::RightDockWidgetArea, dock);
         dock->show();
-        const bool lower = column_.indexOf(dock) > column_.size() - tabs_; // except the first
-        if ((allTabs || lower) && last)
-            window_.tabifyDockWidget(last, dock);
-        last = dock;
+        if (inPlaceOf)
+            window_.tabifyDockWidget(inPlaceOf, dock);
+    };
+    const QList<Dock*> whole = unfolded();
+    const QList<Dock*> lowest = tabs_ > 0 ? whole.mid(whole.size() - tabs_) : QList<Dock*>{};
+    Dock* last = nullptr;
+    if (form_ == Form::StartInFront)
+        add(last = docks_.start, nullptr);
+    for (Dock* dock : column_) {
+        const bool shares =
+            form_ == Form::StartInFront || (lowest.contains(dock) && dock != lowest.front());
+        add(dock, shares ? last : nullptr);
+        if (form_ == Form::StartInFront || lowest.contains(dock))
+            last = dock;
+        if (dock == column_.front())
+            for (Dock* other : beside_)
+                add(other, dock);
     }
+}
+
+/// The highest of panels that share a place is in front, or the newest comparison panel.
+void Arrangement::raiseDocks(const Situation& situation)
+{
+    const QList<Dock*> whole = unfolded();
+    if (tabs_ > 0)
+        whole[whole.size() - tabs_]->raise();
+    if (!beside_.empty())
+        situation.wide.last()->raise();
+    if (form_ == Form::StartInFront)
+        docks_.start->raise();
 }
 
 int Arrangement::columnWidth(const Situation& situation) const
@@ -121,19 +136,22 @@ int Arrangement::columnWidth(const Situation& situation) const
     return width < wide ? narrowest : situation.starting ? startWidth : usualWidth;
 }
 
-/// The panels of fixed height get what they need, the others share the rest.
 void Arrangement::shareHeight()
 {
+    const QList<Dock*> whole = unfolded();
+    const qsizetype lowest = whole.size() - std::max(tabs_, 1); // the place of the tabs
     QList<QDockWidget*> docks;
     QList<int> heights;
     QList<qsizetype> growing;
     int rest = window_.height() - barsHeight;
-    for (qsizetype i = 0; i <= column_.size() - std::max(tabs_, 1); ++i) {
-        const Dock* dock = column_[i];
-        docks << column_[i];
+    for (Dock* dock : column_) {
+        const qsizetype number = whole.indexOf(dock);
+        if (number > lowest)
+            continue;
+        docks << dock;
         heights << (dock->isFolded() ? space::dockTitleHeight : wantedHeight(dock));
-        if (grows(dock) || (tabs_ > 0 && i == column_.size() - tabs_))
-            growing << i;
+        if (number >= 0 && (grows(dock) || (tabs_ > 0 && number == lowest)))
+            growing << heights.size() - 1;
         else
             rest -= heights.last() + separator;
     }
@@ -142,29 +160,20 @@ void Arrangement::shareHeight()
     window_.resizeDocks(docks, heights, Qt::Vertical);
 }
 
-/// The front panel gets the height it needs, as long as some is left for those below.
-void Arrangement::shareHeightWithWide(Dock& front)
-{
-    const int all = window_.centralWidget()->height();
-    const int above = std::min(wantedHeight(&front), all - leastBelow);
-    window_.resizeDocks({&front, column_[1]}, {above, all - above}, Qt::Vertical);
-}
-
 int lowerTabs(std::span<const int> needed, int room)
 {
-    const int all = std::accumulate(needed.begin(), needed.end(), 0);
-    if (needed.empty() || all <= room)
+    int above = std::accumulate(needed.begin(), needed.end(), 0);
+    if (needed.size() < 2 || above <= room)
         return 0;
-    int below = needed.back();
-    int above = all - below;
-    for (std::size_t tabs = 2; tabs < needed.size(); ++tabs) {
+    int below = 0;
+    for (std::size_t tabs = 1; tabs <= needed.size(); ++tabs) {
         const int next = needed[needed.size() - tabs];
         above -= next;
         below = std::max(below, next);
-        if (above + below <= room || tabs + 1 == needed.size())
+        if (above + below <= room)
             return int(tabs);
     }
-    return 0;
+    return int(needed.size());
 }
 
 } // namespace ui

@@ -104,8 +104,8 @@ void MainWindow::addBars()
 
 void MainWindow::followWorkspace()
 {
-    session_.worksInDraw = workspace().folds;
-    centre_->allowNote(!workspace().folds); // it is about cutting
+    session_.worksInDraw = workspace().draws;
+    centre_->allowNote(!workspace().draws); // it is about cutting
     optionBar_->offerPanes(workspace().panes);
     status_->showHint({});
     refreshActions();
@@ -146,7 +146,7 @@ void MainWindow::showStart()
         connect(note, &WindowNote::learnt, this,
                 [] { QSettings().setValue("windowDragged", true); });
         centre_->addNote(*note);
-        centre_->allowNote(!workspace().folds);
+        centre_->allowNote(!workspace().draws);
     }
 }
 

@@ -45,6 +45,9 @@ void MainWindow::connectSession()
     connect(status_, &StatusBar::warningWanted, this, [this](const QString& sentence) {
         tell({Message::Kind::Warning, sentence});
     });
+    connect(status_, &StatusBar::timed, this, [this](const QString& clip, std::size_t differing) {
+        panels_.showResult(session_, clip, differing);
+    });
     connect(&session_, &app::Session::refused, this, [this](const QString& named) {
         const QString sentence = app::withKeys(named);
         tell({Message::Kind::Warning, sentence});

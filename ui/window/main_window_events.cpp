@@ -83,7 +83,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
-    panelLayout_->fitWindow();
+    panelLayout_->fit();
 }
 
 /// Handles a key that no widget took: says why the key's command is disabled, treats the key as the

@@ -2,6 +2,7 @@
 #include "app/view/view.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/cost_map_panel.h"
+#include "ui/docks/cut_options.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/exactness_panel.h"
 #include "ui/docks/history_panel.h"
@@ -34,6 +35,9 @@ void MainWindow::connectPanels()
     connect(panels_.exactness, &ExactnessPanel::entered, canvas_, focusCanvas);
     connect(panels_.window, &WindowPanel::refused, strip_, &MessageStrip::refuse);
     connect(panels_.window, &WindowPanel::taken, strip_, &MessageStrip::withdrawRefusal);
+    connect(panels_.cutEdges, &CutOptionsBox::entered, canvas_, focusCanvas);
+    connect(panels_.cutEdges, &CutOptionsBox::refused, strip_, &MessageStrip::refuse);
+    connect(panels_.cutEdges, &CutOptionsBox::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(canvas_, &Canvas::refused, strip_, &MessageStrip::refuse);
     connect(canvas_, &Canvas::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(panels_.selection, &SelectionPanel::entered, canvas_, focusCanvas);

@@ -5,6 +5,7 @@
 #include "ui/window/dock_tabs.h"
 
 #include <QAction>
+#include <QLayout>
 #include <QMainWindow>
 #include <QSettings>
 
@@ -14,7 +15,13 @@ namespace ui {
 
 namespace {
 
-const QString workspaceKey = QStringLiteral("workspace"); // in the settings
+// In the settings.
+const QString workspaceKey = QStringLiteral("workspace");
+
+QString foldsKey(const Workspace& workspace) // which panels it folds
+{
+    return QStringLiteral("folds/") + app::latin(workspace.key);
+}
 
 } // namespace
 
@@ -30,8 +37,6 @@ PanelLayout::PanelLayout(QMainWindow& window, const PanelDocks& docks)
     }
     for (Dock* dock : docks_.all())
         add(*dock);
-    docks_.algorithm->setFoldable(true);
-    connect(docks_.algorithm, &Dock::foldWanted, this, &PanelLayout::fold);
     window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     window.setDockOptions(QMainWindow::AllowTabbedDocks
                           | QMainWindow::AllowNestedDocks); // no animation
@@ -45,14 +50,15 @@ void PanelLayout::add(Dock& dock)
     own_.watch(dock);
     connect(&dock, &QDockWidget::visibilityChanged, this, &PanelLayout::showTitles,
             Qt::QueuedConnection);
+    connect(&dock, &Dock::foldWanted, this, [this, &dock](bool folded) { fold(dock, folded); });
     // A panel that is not of the workspace has no place to be shown at.
     connect(dock.toggleViewAction(), &QAction::triggered, this, [this, &dock](bool shown) {
-        if (shown && docks_.working().contains(&dock))
+        if (shown && docks_.narrow.contains(&dock))
             bringToFront(dock);
     });
 }
 
-Situation PanelLayout::situation() const { return {workspace_, starting_, folded_, openWide_}; }
+Situation PanelLayout::situation() const { return {workspace_, starting_, openWide_}; }
 
 void PanelLayout::arrange()
 {
@@ -64,22 +70,15 @@ void PanelLayout::arrange()
         return;
     }
     const auto quiet = own_.byProgram();
+    showFolds();
     arrangement_.place(situation());
     showTitles();
 }
 
 void PanelLayout::fit()
 {
-    if (!hidden() && !own_.exists() && arrangement_.form() == Arrangement::Form::Stacked
-        && !arrangement_.tabsFit())
-        arrange();
-}
-
-void PanelLayout::fitWindow()
-{
-    const auto fitting = arrangement_.fitting(situation());
-    const bool tabsChange = fitting == Arrangement::Form::Stacked && !arrangement_.tabsFit();
-    if (!own_.exists() && (fitting != arrangement_.form() || tabsChange))
+    const bool fits = window_.isVisible() && arrangement_.fits(situation());
+    if (!hidden() && !own_.exists() && !fits)
         arrange();
 }
 
@@ -94,13 +93,11 @@ void PanelLayout::choose(const Workspace& workspace)
     {
         const auto quiet = own_.byProgram();
         workspace_ = &workspace;
-        folded_ = workspace.folds;
         own_.choose(app::latin(workspace.key));
-        if (own_.exists()) {
-            docks_.algorithm->setFolded(folded_);
-        } else {
+        if (own_.exists())
+            showFolds();
+        else
             showWide();
-        }
         for (Dock* dock : docks_.wide)
             follow(*dock);
     }
@@ -112,20 +109,50 @@ void PanelLayout::choose(const Workspace& workspace)
     emit changed();
 }
 
-/// Opens the comparison panel of the workspace, and closes the others.
+/// Opens the comparison panels of the workspace, and closes the others.
 void PanelLayout::showWide()
 {
     for (Dock* dock : docks_.wide)
-        dock->setVisible(dock->objectName() == workspace_->wide);
+        dock->setVisible(workspace_->column.contains(dock->objectName()));
 }
 
-void PanelLayout::fold(bool folded)
+QStringList PanelLayout::folded() const
 {
-    folded_ = folded;
-    if (own_.exists())
-        docks_.algorithm->setFolded(folded);
+    return QSettings().value(foldsKey(*workspace_), workspace_->folds).toStringList();
+}
+
+/// What the settings name is folded only if it folds. Beside Start all panels are tabs.
+void PanelLayout::showFolds()
+{
+    const QStringList folded = this->folded();
+    for (Dock* dock : docks_.all()) {
+        const QString key = dock->objectName();
+        dock->setFoldable(workspace_->folds.contains(key));
+        dock->setFolded(!starting_ && dock->isFoldable() && folded.contains(key));
+    }
+}
+
+void PanelLayout::fold(Dock& dock, bool folded)
+{
+    QStringList now = this->folded();
+    now.removeAll(dock.objectName());
+    if (folded)
+        now << dock.objectName();
+    QSettings().setValue(foldsKey(*workspace_), now);
+    const bool focused = dock.hasFocusInHeading();
+    const auto quiet = own_.byProgram();
+    window_.layout()->setEnabled(false); // the window would grow at once, where others become tabs
+    dock.setFolded(folded);
+    const bool fits = arrangement_.fits(situation());
+    window_.layout()->setEnabled(true);
+    if (hidden() || own_.exists())
+        return;
+    if (fits)
+        arrangement_.shareHeight();
     else
-        arrange();
+        arrange(); // which takes the focus
+    if (focused)
+        dock.focusHeading();
 }
 
 void PanelLayout::reset()
@@ -133,7 +160,7 @@ void PanelLayout::reset()
     if (hidden())
         return defer([this] { reset(); });
     own_.forget();
-    folded_ = workspace_->folds;
+    QSettings().remove(foldsKey(*workspace_));
     arrange();
 }
 
@@ -156,9 +183,7 @@ void PanelLayout::bringBack()
         hiding_.bringBack();
     }
     before_.clear();
-    if (arrangement_.fitting(situation()) != arrangement_.form())
-        arrange(); // the window's size has changed, or Start is finished
-    fit();
+    fit(); // the window's size has changed, or Start is finished
     for (const auto& action : std::exchange(deferred_, {}))
         action();
     showTitles();
@@ -180,10 +205,9 @@ void PanelLayout::restore()
 {
     const auto quiet = own_.byProgram();
     workspace_ = &findWorkspace(QSettings().value(workspaceKey).toString().toStdString());
-    folded_ = workspace_->folds;
     own_.restore(app::latin(workspace_->key));
     if (own_.exists())
-        docks_.algorithm->setFolded(folded_);
+        showFolds();
     else
         showWide();
     for (Dock* dock : docks_.wide)

@@ -36,9 +36,8 @@ public:
 
     void showStart();
     void leaveStart(); ///< shows the working panels; nothing happens if Start is not wanted
-    void fit();        ///< a panel needs another height: other panels may become tabs
-    void fitWindow();  ///< the window has another size
-    void reset();      ///< forgets the person's own layout
+    void fit();        ///< the window has another size, or a panel needs another height
+    void reset();      ///< forgets the person's own layout and folds
 
     void hideAll();
     void bringBack(); ///< nothing happens if the panels are not hidden
@@ -63,7 +62,9 @@ private:
     Dock* lowestDocked() const;
     void setOpen(Dock& wide, bool open); ///< an open one is in front
     void showWide();
-    void fold(bool folded);
+    void fold(Dock& dock, bool folded);
+    void showFolds();
+    QStringList folded() const; ///< in the workspace
     void defer(std::function<void()> action) { deferred_.push_back(std::move(action)); }
 
     QMainWindow& window_;
@@ -75,7 +76,6 @@ private:
     std::vector<std::function<void()>> deferred_; ///< until the panels come back
     QList<Dock*> openWide_; ///< the visible comparison panels, the newest last
     const Workspace* workspace_;
-    bool folded_ = false;   ///< the panel Algorithm is only a title where it has a place of its own
     bool starting_ = false; ///< Start is wanted in front
 };
 

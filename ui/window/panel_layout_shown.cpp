@@ -13,14 +13,17 @@ namespace ui {
 
 namespace {
 
-bool isInFront(const Dock& dock) { return !dock.isHidden() && !dock.isBehind(); }
+bool isInFront(const Dock& dock)
+{
+    return !dock.isHidden() && !dock.isBehind() && !dock.isFolded();
+}
 
 } // namespace
 
 QList<QAction*> PanelLayout::toggles() const
 {
     QList<QAction*> toggles;
-    for (const Dock* dock : docks_.working() + docks_.wide)
+    for (const Dock* dock : docks_.narrow + docks_.wide)
         toggles << dock->toggleViewAction();
     return toggles;
 }
@@ -32,7 +35,7 @@ void PanelLayout::raise(const QString& key)
         return showStart();
     if (hidden())
         return defer([this, key] { raise(key); });
-    for (Dock* dock : docks_.working() + QList<Dock*>{docks_.start})
+    for (Dock* dock : docks_.narrow + QList<Dock*>{docks_.start})
         if (dock->objectName() == key)
             bringToFront(*dock);
     for (Dock* dock : docks_.wide)
@@ -42,8 +45,8 @@ void PanelLayout::raise(const QString& key)
 
 void PanelLayout::bringToFront(Dock& narrow)
 {
-    if (&narrow == docks_.algorithm && narrow.isFolded())
-        fold(false);
+    if (narrow.isFolded())
+        fold(narrow, false);
     const auto quiet = own_.byProgram();
     if (window_.dockWidgetArea(&narrow) == Qt::NoDockWidgetArea) {
         window_.addDockWidget(Qt::RightDockWidgetArea, &narrow);
@@ -54,12 +57,12 @@ void PanelLayout::bringToFront(Dock& narrow)
     narrow.raise();
 }
 
-/// The last panel of the workspace that is in the column: a further panel shares its place.
+/// The last whole panel of the workspace that is in the column: a further panel shares its place.
 Dock* PanelLayout::lowestDocked() const
 {
     const QList<Dock*> column = docks_.named(workspace_->column);
     const auto docked = std::find_if(column.rbegin(), column.rend(), [this](const Dock* dock) {
-        return !dock->isHidden() && !dock->isFloating()
+        return !dock->isHidden() && !dock->isFloating() && !dock->isFolded()
                && window_.dockWidgetArea(const_cast<Dock*>(dock)) != Qt::NoDockWidgetArea;
     });
     return docked == column.rend() ? nullptr : *docked;
@@ -78,7 +81,9 @@ void PanelLayout::toggle(const QString& key)
 void PanelLayout::setOpen(Dock& wide, bool open)
 {
     starting_ = starting_ && !open;
-    {
+    if (wide.isFoldable()) // a section of this workspace
+        fold(wide, !open);
+    if (open || !wide.isFoldable()) {
         const auto quiet = own_.byProgram();
         if (open && window_.dockWidgetArea(&wide) == Qt::NoDockWidgetArea)
             window_.addDockWidget(Qt::RightDockWidgetArea, &wide);
@@ -119,11 +124,8 @@ void PanelLayout::showStart()
 
 void PanelLayout::leaveStart()
 {
-    if (!std::exchange(starting_, false))
-        return;
-    arrange();
-    if (!hidden() && arrangement_.form() == Arrangement::Form::Tabs)
-        raise(docks_.algorithm->objectName());
+    if (std::exchange(starting_, false))
+        arrange();
 }
 
 } // namespace ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/panels.h"
 
+#include "app/base/numbers.h"
+#include "app/view/frame_times.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/cost_map_panel.h"
@@ -20,39 +22,75 @@ namespace ui {
 
 Panels::Panels(app::Session& session, Canvas& canvas)
     : start(new StartPanel), algorithm(new AlgorithmPanel(session)),
-      window(new WindowPanel(session)), selection(new SelectionPanel(session)),
-      style(new StylePanel(session, canvas)), line(new LinePanel(session)),
-      layers(new LayersPanel(session)), history(new HistoryPanel(session.history)),
-      compare(new ComparePanel(session)), difference(new DifferencePanel(session)),
-      costMap(new CostMapPanel(session)), exactness(new ExactnessPanel(session)),
-      docks{
-          .start = new Dock("start", Text::tr("Start"), start),
-          .algorithm = new Dock("algorithm", Text::tr("Algorithm"), algorithm),
-          .narrow = {new Dock("window", Text::tr("Clip windows"), withCutOptions(*window, session)),
-                     new Dock("selection", Text::tr("Selection"), selection),
-                     new Dock("style", Text::tr("Style"), style),
-                     new Dock("line", Text::tr("Line"), line),
-                     new Dock("layers", Text::tr("Layers"), layers),
-                     new Dock("history", Text::tr("History"), history)},
-          .wide = {new Dock("compare", Text::tr("Compare"), compare),
-                   new Dock("difference", Text::tr("Differences"), difference),
-                   new Dock("cost-map", Text::tr("Cost map"), costMap),
-                   new Dock("exactness", Text::tr("Exactness"), exactness)}}
+      window(new WindowPanel(session)), cutEdges(new CutOptionsBox(session)),
+      selection(new SelectionPanel(session)), style(new StylePanel(session, canvas)),
+      line(new LinePanel(session)), layers(new LayersPanel(session)),
+      history(new HistoryPanel(session.history)), compare(new ComparePanel(session)),
+      difference(new DifferencePanel(session)), costMap(new CostMapPanel(session)),
+      exactness(new ExactnessPanel(session)),
+      docks{.start = new Dock("start", Text::tr("Start"), start),
+            .narrow = {new Dock("algorithm", Text::tr("Algorithm"), algorithm),
+                       new Dock("window", Text::tr("Clip windows"), window),
+                       new Dock("cut-edges", Text::tr("Cut edges"), cutEdges),
+                       new Dock("selection", Text::tr("Selection"), selection),
+                       new Dock("style", Text::tr("Style"), style),
+                       new Dock("line", Text::tr("Line"), line),
+                       new Dock("layers", Text::tr("Layers"), layers),
+                       new Dock("history", Text::tr("History"), history)},
+            .wide = {new Dock("compare", Text::tr("Compare"), compare),
+                     new Dock("difference", Text::tr("Differences"), difference),
+                     new Dock("cost-map", Text::tr("Cost map"), costMap),
+                     new Dock("exactness", Text::tr("Exactness"), exactness)}}
 {
-    Dock* const lineDock = docks.named({"line"}).front();
-    QObject::connect(line, &LinePanel::titled, lineDock,
-                     [dock = lineDock](const QString& title, const QString& remark) {
-                         dock->setRemark(remark);
-                         dock->setName(title);
-                     });
-    QObject::connect(selection, &SelectionPanel::titled, docks.named({"selection"}).front(),
-                     &Dock::setRemark);
-    QObject::connect(style, &StylePanel::titled, docks.named({"style"}).front(), &Dock::setRemark);
-    QObject::connect(algorithm, &AlgorithmPanel::titled, docks.algorithm, &Dock::setFoldedRemark);
-    docks.algorithm->setFoldedRemark(algorithm->title());
-    QObject::connect(algorithm, &AlgorithmPanel::remarked, docks.algorithm, &Dock::setRemark);
-    QObject::connect(docks.wide.front(), &QDockWidget::visibilityChanged, compare,
+    nameSections();
+    QObject::connect(docks.named({"compare"}).front(), &QDockWidget::visibilityChanged, compare,
                      &ComparePanel::setWatched);
+}
+
+/// What a panel shows stands in the heading of its dock.
+void Panels::nameSections()
+{
+    const auto dock = [this](const char* key) { return docks.named({key}).front(); };
+    const auto remark = [&](auto* panel, auto titled, const char* key) {
+        QObject::connect(panel, titled, dock(key), &Dock::setRemark);
+        dock(key)->setRemark(panel->title());
+    };
+    QObject::connect(selection, &SelectionPanel::titled, dock("selection"), &Dock::setRemark);
+    QObject::connect(style, &StylePanel::titled, dock("style"), &Dock::setRemark);
+    remark(window, &WindowPanel::titled, "window");
+    remark(cutEdges, &CutOptionsBox::titled, "cut-edges");
+    remark(history, &HistoryPanel::titled, "history");
+    QObject::connect(line, &LinePanel::titled, dock("line"),
+                     [line = dock("line")](const QString& name, const QString& where) {
+                         line->setRemark(where);
+                         line->setName(name);
+                     });
+    const auto showAlgorithm = [this, shown = dock("algorithm")] {
+        shown->setSign(algorithm->sign());
+        shown->setName(algorithm->abbreviation());
+        shown->setRemark(algorithm->title());
+    };
+    QObject::connect(algorithm, &AlgorithmPanel::titled, dock("algorithm"), showAlgorithm);
+    showAlgorithm();
+}
+
+void Panels::showResult(const app::Session& session, const QString& time,
+                        std::size_t differing) const
+{
+    Dock* const dock = docks.named({"algorithm"}).front();
+    if (session.windows().list.empty()) // nothing is cut
+        return dock->setValue({});
+    const bool good = differing == 0;
+    const QString many = differing > app::mostDiffering
+                             ? Text::tr("over %1 differ").arg(app::countText(app::mostDiffering))
+                             : Text::tr("%1 differ").arg(app::countText(differing));
+    QStringList said;
+    if (!good)
+        said << many;
+    if (!time.isEmpty())
+        said << time;
+    dock->setValue({said.join(QStringLiteral(", ")), good ? "tick" : "warning",
+                    good ? &Look::good : &Look::differs});
 }
 
 } // namespace ui

@@ -8,13 +8,10 @@ namespace ui {
 /// The docks of a window by their part in its layout.
 struct PanelDocks {
     Dock* start;         ///< in front until a drawing is opened or changed
-    Dock* algorithm;     ///< may be folded
-    QList<Dock*> narrow; ///< the other working panels
+    QList<Dock*> narrow; ///< the working panels
     QList<Dock*> wide;   ///< the comparison panels: above the others, in a wider column
 
-    /// The working panels.
-    QList<Dock*> working() const { return QList<Dock*>{algorithm} + narrow; }
-    QList<Dock*> all() const { return QList<Dock*>{start} + working() + wide; }
+    QList<Dock*> all() const { return QList<Dock*>{start} + narrow + wide; }
     /// Those with these keys, in their order.
     QList<Dock*> named(const QStringList& keys) const
     {
@@ -39,6 +36,7 @@ class AlgorithmPanel;
 class Canvas;
 class ComparePanel;
 class CostMapPanel;
+class CutOptionsBox;
 class DifferencePanel;
 class ExactnessPanel;
 class HistoryPanel;
@@ -56,6 +54,7 @@ struct Panels {
     StartPanel* start;
     AlgorithmPanel* algorithm;
     WindowPanel* window;
+    CutOptionsBox* cutEdges;
     SelectionPanel* selection;
     StylePanel* style;
     LinePanel* line;
@@ -66,6 +65,12 @@ struct Panels {
     CostMapPanel* costMap;
     ExactnessPanel* exactness;
     PanelDocks docks;
+
+    /// In the heading of the algorithm: whether lines differ from `exact`, and the time.
+    void showResult(const app::Session& session, const QString& time, std::size_t differing) const;
+
+private:
+    void nameSections();
 };
 
 } // namespace ui

@@ -14,11 +14,11 @@ namespace ui {
 struct Workspace {
     std::string_view key; ///< in the settings, and of its command
     QString name;
-    QString tip;        ///< what it is for
-    QStringList column; ///< keys of its panels, from top to bottom
-    QString wide = {};  ///< the comparison panel that it opens; empty: none
-    bool folds = false; ///< the panel Algorithm is only a title
-    bool panes = false; ///< the bar across the top offers how many panes there are
+    QString tip;            ///< what it is for
+    QStringList column;     ///< keys of its panels, from top to bottom
+    QStringList folds = {}; ///< those of them that fold, and are folded at first
+    bool draws = false;     ///< for drawing rather than for cutting
+    bool panes = false;     ///< the bar across the top offers how many panes there are
 };
 
 /// In the order of the tabs.

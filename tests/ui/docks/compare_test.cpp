@@ -135,7 +135,7 @@ private slots:
     {
         CompareWindow t(2000);
         t.openPanel();
-        t.window->raisePanel("algorithm");
+        t.window->raisePanel("exactness");
         QTRY_VERIFY(!t.panel().race().running());
         t.action("compare-live")->trigger(); // to the front again
         QTRY_VERIFY(t.panel().race().running());

@@ -244,6 +244,7 @@ private slots:
     {
         TestWindow t;
         t.open(t.twoLines());
+        t.window->raisePanel("algorithm");
         t.show();
         app::Session& session = t.window->session();
         app::Sheet sheet;

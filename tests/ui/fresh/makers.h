@@ -140,13 +140,8 @@ inline std::vector<Maker> makers()
         // Panels
         {"start", {320, 500}, [](Desk&) { return new StartPanel; }, nullptr, false, true},
         {"algorithm", {320, 400}, onSession<AlgorithmPanel>},
-        {"windows",
-         {320, 330},
-         [](Desk& desk) {
-             auto* panel = new WindowPanel(desk.session);
-             panel->tilesButton().hide(); // which stands in the heading of its dock
-             return withCutOptions(*panel, desk.session);
-         }},
+        {"windows", {320, 250}, onSession<WindowPanel>},
+        {"cut-edges", {320, 80}, onSession<CutOptionsBox>},
         {"selection", {320, 200}, onSession<SelectionPanel>},
         {"style", {320, 260}, [](Desk& desk) { return new StylePanel(desk.session, desk.canvas); }},
         {"line", {320, 300}, onSession<LinePanel>},

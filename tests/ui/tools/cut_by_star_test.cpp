@@ -203,9 +203,7 @@ private slots:
         h.key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(h.session.now() == before);
 
-        auto* tiles = h.t.window->findChild<QAbstractButton*>("open-tiles");
-        QVERIFY(tiles && tiles->isVisible() && tiles->text().startsWith("Tiles"));
-        clickOn(tiles);
+        h.key(Qt::Key_T, Qt::ControlModifier);
         app::LiveSheets& sheets = h.t.window->sheets();
         QVERIFY(sheets.isOpen());
         sheets.wait();

@@ -9,6 +9,7 @@
 #include "ui/widgets/message_strip.h"
 #include "ui/widgets/segments.h"
 #include "ui/window/workspace_tabs.h"
+#include "ui/window/workspaces.h"
 
 #include <QAccessible>
 #include <QApplication>
@@ -698,14 +699,16 @@ private slots:
         t.open(t.twoLines());
         t.show();
         t.window->resize(1440, 1400); // room below a list of any number of algorithms
-        for (const char* key : {"algorithm", "window", "line", "layers"}) {
+        t.window->choose(findWorkspace("workspace-learn"));
+        for (const char* key : {"algorithm", "line"}) {
             auto* dock = t.window->findChild<QDockWidget*>(key);
             QTRY_VERIFY2(dock->titleBarWidget()->height() > 20, key);
         }
-        t.window->resize(1280, 640); // low: tabs
-        auto* layers = t.window->findChild<QDockWidget*>("layers");
-        QTRY_VERIFY(layers->titleBarWidget()->height() == 0
-                    || !layers->titleBarWidget()->isVisible());
+        for (int height = 1400; height >= 640; height -= 20) // as it is dragged: at last, tabs
+            t.window->resize(1280, height);
+        QTRY_COMPARE(t.window->height(), 640);
+        auto* line = t.window->findChild<QDockWidget*>("line");
+        QTRY_VERIFY(line->titleBarWidget()->height() == 0 || !line->titleBarWidget()->isVisible());
         QTRY_VERIFY(inFront(t.window->findChild<QDockWidget*>("algorithm")));
     }
     void noPanelIsSmallerThanItsContent()
@@ -713,6 +716,7 @@ private slots:
         for (const int height : {760, 800, 900, 1200}) {
             TestWindow t;
             t.open(t.twoLines());
+            t.window->choose(findWorkspace("workspace-learn"));
             t.window->resize(1280, height);
             t.show();
             QTest::keyClick(t.window.get(), Qt::Key_F8);

@@ -15,7 +15,9 @@ using namespace ui;
 namespace {
 
 /// Of the usual workspace, in the order of the docks.
-const QStringList stack{"algorithm", "window", "selection", "line", "layers"};
+const QStringList stack{"algorithm", "window", "cut-edges", "layers"};
+
+QToolButton& chevron(const Dock& dock) { return *dock.findChild<FoldButton*>(); }
 
 /// Where the panels in front are.
 QMap<QString, QRect> places(const PlainWindow& plain)
@@ -34,27 +36,31 @@ class PanelLayoutTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void aHighWindowStacksThePanelsAndALowOneHasTabs()
+    void aWindowThatIsTooLowHasTabsBelow()
     {
         PlainWindow plain;
         plain.show();
         QCOMPARE(plain.inFront(), stack);
-        plain.window.resize(1280, 700);
-        plain.layout->fitWindow();
-        QCOMPARE(plain.inFront(), QStringList("algorithm"));
-        QCOMPARE(plain.window.tabifiedDockWidgets(plain.docks.algorithm).size(), 4);
-        QTRY_VERIFY(plain.docks.algorithm->titleBarWidget()->height() == 0); // the tab is the title
+        plain.beLow();
+        QCOMPARE(plain.inFront(), QStringList({"algorithm", "window", "cut-edges"}));
+        QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("window"))
+                    .contains(&plain.dock("layers")));
+        QTRY_VERIFY(plain.dock("window").titleBarWidget()->height() == 0); // the tab is the title
+        plain.window.resize(1280, 900);
+        plain.layout->fit();
+        QCOMPARE(plain.inFront(), stack);
     }
     void panelsThatAreTooHighShareTheLowestPlace()
     {
         PlainWindow plain;
         plain.show();
-        PlainWindow::panel(plain.dock("layers")).least = 600;
+        plain.layout->choose(findWorkspace("workspace-draw"));
+        PlainWindow::panel(plain.dock("style")).least = 700;
         plain.layout->fit();
-        QVERIFY(
-            plain.window.tabifiedDockWidgets(&plain.dock("layers")).contains(&plain.dock("line")));
-        QVERIFY(plain.window.tabifiedDockWidgets(plain.docks.algorithm).empty());
-        QVERIFY(plain.inFront().contains("algorithm"));
+        QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("style"))
+                    .contains(&plain.dock("selection")));
+        QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("layers")).empty());
+        QVERIFY(plain.inFront().contains("layers"));
     }
     void everyWorkspaceShowsItsPanels()
     {
@@ -63,34 +69,91 @@ private slots:
             plain.show();
             plain.layout->choose(workspace);
             QStringList front = plain.inFront();
-            if (!workspace.wide.isEmpty()) {
-                QVERIFY(front.contains(workspace.wide));
-                QVERIFY(front.contains(workspace.column[1]));
-                continue;
-            }
             QStringList wanted = workspace.column;
             front.sort();
             wanted.sort();
             QCOMPARE(front, wanted);
-            QCOMPARE(plain.docks.algorithm->isFolded(), workspace.folds);
+            for (const Dock* dock : plain.docks.all())
+                QCOMPARE(dock->isFolded(), workspace.folds.contains(dock->objectName()));
         }
     }
-    void aFoldedPanelIsOnlyItsTitle()
+    void aFoldedPanelIsOnlyItsHeading()
     {
         PlainWindow plain;
         plain.show();
-        plain.layout->choose(findWorkspace("workspace-draw"));
         QCoreApplication::processEvents();
-        Dock& algorithm = *plain.docks.algorithm;
+        Dock& algorithm = plain.dock("algorithm");
         QCOMPARE(algorithm.height(), algorithm.titleBarWidget()->height());
-        QTest::mouseClick(algorithm.titleBarWidget()->findChild<QToolButton*>(), Qt::LeftButton);
+        QTest::mouseClick(&chevron(algorithm), Qt::LeftButton);
         QVERIFY(!algorithm.isFolded());
         QTRY_VERIFY(algorithm.height() > 60);
-        plain.layout->choose(findWorkspace("workspace-cut"));
-        plain.layout->choose(findWorkspace("workspace-draw"));
+        QTest::mouseClick(algorithm.titleBarWidget(), Qt::LeftButton, {}, {200, 14});
         QVERIFY(algorithm.isFolded());
+        QTRY_COMPARE(algorithm.height(), algorithm.titleBarWidget()->height());
         plain.layout->raise("algorithm"); // somebody asks for it
         QVERIFY(!algorithm.isFolded());
+        QVERIFY(chevron(plain.dock("layers")).isHidden()); // it does not fold
+    }
+    void keysFoldAndUnfoldAndKeepTheFocus()
+    {
+        PlainWindow plain;
+        plain.show();
+        Dock& edges = plain.dock("cut-edges");
+        QToolButton& heading = chevron(edges);
+        heading.setFocus();
+        QCOMPARE(heading.accessibleName(), QString("Unfold cut-edges"));
+        const std::pair<Qt::Key, bool> keys[]{{Qt::Key_Space, false}, {Qt::Key_Return, true},
+                                              {Qt::Key_Left, true},   {Qt::Key_Right, false},
+                                              {Qt::Key_Right, false}, {Qt::Key_Left, true}};
+        for (const auto& [key, folded] : keys) {
+            QTest::keyClick(&heading, key);
+            QCOMPARE(edges.isFolded(), folded);
+            QVERIFY(edges.hasFocusInHeading());
+        }
+        PlainWindow::panel(edges).least = 700; // others become tabs
+        QTest::keyClick(&heading, Qt::Key_Right);
+        QVERIFY(!edges.isFolded());
+        QVERIFY(!plain.window.tabifiedDockWidgets(&edges).empty());
+    }
+    void aFoldIsRememberedForItsWorkspace()
+    {
+        PlainWindow plain;
+        plain.show();
+        const Workspace& compare = findWorkspace("workspace-compare");
+        const Dock& panel = plain.dock("window");
+        plain.layout->choose(compare);
+        QVERIFY(panel.isFolded());
+        chevron(panel).click();
+        QVERIFY(!panel.isFolded());
+        QCOMPARE(QSettings().value("folds/workspace-compare").toStringList(),
+                 QStringList("difference")); // at once
+        plain.layout->choose(findWorkspace("workspace-cut"));
+        QVERIFY(!panel.isFolded() && chevron(panel).isHidden());
+        plain.layout->choose(compare);
+        QVERIFY(!panel.isFolded());
+        plain.layout->reset();
+        QVERIFY(panel.isFolded());
+        QSettings().setValue("folds/workspace-compare", QStringList{"compare", "x", "window"});
+        plain.layout->choose(findWorkspace("workspace-cut"));
+        plain.layout->choose(compare);
+        QVERIFY(panel.isFolded());
+        QVERIFY(!plain.dock("compare").isFolded() && !plain.dock("difference").isFolded());
+    }
+    void aPanelThatIsAskedForUnfolds()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.layout->choose(findWorkspace("workspace-compare"));
+        const Dock& difference = plain.dock("difference");
+        QVERIFY(difference.isFolded());
+        plain.layout->toggle("difference");
+        QVERIFY(difference.isVisible() && !difference.isFolded());
+        plain.layout->toggle("difference");
+        QVERIFY(difference.isVisible() && difference.isFolded());
+        plain.dock("difference").close();
+        QCoreApplication::processEvents();
+        plain.layout->raise("difference");
+        QVERIFY(difference.isVisible() && !difference.isFolded());
     }
     void aFurtherPanelSharesTheLowestPlace()
     {
@@ -99,7 +162,11 @@ private slots:
         plain.dock("history").toggleViewAction()->trigger();
         QVERIFY(plain.inFront().contains("history"));
         QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("history"))
-                    .contains(&plain.dock("selection")));
+                    .contains(&plain.dock("layers")));
+        plain.layout->choose(findWorkspace("workspace-draw"));
+        plain.dock("line").toggleViewAction()->trigger(); // above the folded history
+        QVERIFY(
+            plain.window.tabifiedDockWidgets(&plain.dock("line")).contains(&plain.dock("style")));
     }
     void everyWorkspaceHasItsOwnLayoutAndIsRemembered()
     {
@@ -139,7 +206,7 @@ private slots:
         const auto before = places(plain);
         plain.layout->toggle("difference");
         QVERIFY(plain.layout->shows("difference") && !plain.layout->shows("compare"));
-        QCOMPARE(plain.inFront(), QStringList({"window", "difference"}));
+        QCOMPARE(plain.inFront(), stack + QStringList{"difference"});
         QVERIFY(plain.docks.wide[1]->width() > before["algorithm"].width() + 100);
         QVERIFY(plain.docks.wide[1]->y() < plain.dock("window").y());
         plain.layout->toggle("difference");
@@ -186,13 +253,13 @@ private slots:
     {
         PlainWindow plain;
         plain.show();
+        plain.beLow();
         plain.layout->toggle("compare");
+        plain.layout->toggle("difference");
         plain.layout->raise("layers");
-        plain.window.resizeDocks({plain.docks.wide[0], &plain.dock("layers")}, {300, 500},
-                                 Qt::Vertical);
         QCoreApplication::processEvents();
         const auto before = places(plain);
-        QCOMPARE(before.keys(), QStringList({"compare", "layers"}));
+        QCOMPARE(before.keys(), QStringList({"algorithm", "cut-edges", "difference", "layers"}));
         plain.layout->hideAll();
         QCoreApplication::processEvents();
         plain.layout->bringBack();
@@ -205,8 +272,7 @@ private slots:
         plain.layout->hideAll();
         plain.layout->showStart();
         plain.layout->reset();
-        plain.window.resize(1280, 700);
-        plain.layout->fitWindow();
+        plain.beLow();
         QCOMPARE(plain.inFront(), QStringList());
         plain.layout->bringBack();
         QCOMPARE(plain.inFront(), QStringList("start"));
@@ -215,21 +281,21 @@ private slots:
     {
         PlainWindow plain;
         plain.show();
-        plain.window.resize(1280, 700);
-        plain.layout->fitWindow();
-        QCOMPARE(plain.inFront(), QStringList("algorithm"));
+        plain.beLow();
+        const QStringList low{"algorithm", "window", "cut-edges"};
+        QCOMPARE(plain.inFront(), low);
         plain.layout->hideAll();
         plain.layout->toggle("compare");
         plain.layout->raise("line");
         QCOMPARE(plain.inFront(), QStringList());
         QVERIFY(!plain.layout->shows("compare") && !plain.layout->shows("line"));
         plain.layout->bringBack();
-        QCOMPARE(plain.inFront(), QStringList({"line", "compare"}));
+        QCOMPARE(plain.inFront(), QStringList({"algorithm", "cut-edges", "line", "compare"}));
         plain.layout->toggle("compare"); // it is known to be open
-        QCOMPARE(plain.inFront(), QStringList("algorithm"));
+        QCOMPARE(plain.inFront(), low);
         plain.layout->hideAll();
         plain.layout->bringBack();
-        QCOMPARE(plain.inFront(), QStringList("algorithm")); // asked for once
+        QCOMPARE(plain.inFront(), low); // asked for once
     }
     void aPanelToggledTwiceWhileAllAreHiddenStaysClosed()
     {
@@ -270,15 +336,14 @@ private slots:
     {
         PlainWindow plain;
         plain.show();
-        plain.window.resize(1280, 700); // tabs
-        plain.layout->fitWindow();
+        plain.beLow();
         plain.layout->raise("layers");
         plain.layout->hideAll();
         plain.layout->raise("start");
         plain.layout->leaveStart();
         QCOMPARE(plain.inFront(), QStringList());
         plain.layout->bringBack();
-        QCOMPARE(plain.inFront(), QStringList("layers"));
+        QCOMPARE(plain.inFront(), QStringList({"algorithm", "cut-edges", "layers"}));
     }
     void panelsAreAskedForTheirHeightBeforeTheyComeBack()
     {
@@ -309,8 +374,7 @@ private slots:
         PlainWindow plain;
         plain.show();
         plain.window.addDockWidget(Qt::LeftDockWidgetArea, &plain.dock("layers"));
-        plain.window.resize(1280, 700);
-        plain.layout->fitWindow();
+        plain.beLow();
         QCOMPARE(plain.inFront(), stack);
         plain.layout->hideAll();
         plain.layout->save();

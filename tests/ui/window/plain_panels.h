@@ -41,6 +41,15 @@ public:
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QCoreApplication::processEvents();
     }
+    /// Makes the window so low that clip windows and layers share a place.
+    void beLow()
+    {
+        for (const char* key : {"window", "layers"})
+            panel(dock(key)).least = 300;
+        window.resize(1280, 640);
+        QCoreApplication::processEvents();
+        layout->fit();
+    }
     /// The panels that are in front, by their keys.
     QStringList inFront() const
     {
@@ -52,7 +61,7 @@ public:
         return keys;
     }
     Dock& dock(const QString& key) const { return *docks.named({key}).front(); }
-    static PlainPanel& panel(const Dock& dock) { return static_cast<PlainPanel&>(*dock.widget()); }
+    static PlainPanel& panel(const Dock& dock) { return static_cast<PlainPanel&>(dock.body()); }
 
 private:
     static Dock* plain(const char* key)
@@ -65,9 +74,8 @@ private:
 public:
     QMainWindow window;
     PanelDocks docks{plain("start"),
-                     plain("algorithm"),
-                     {plain("window"), plain("selection"), plain("style"), plain("line"),
-                      plain("layers"), plain("history")},
+                     {plain("algorithm"), plain("window"), plain("cut-edges"), plain("selection"),
+                      plain("style"), plain("line"), plain("layers"), plain("history")},
                      {plain("compare"), plain("difference")}};
     std::unique_ptr<PanelLayout> layout;
 };

@@ -22,7 +22,9 @@ private slots:
         QTest::newRow("the lowest two as high as the higher") << 499 << 2;
         QTest::newRow("the lowest two just fit") << 400 << 2;
         QTest::newRow("the lowest three") << 399 << 3;
-        QTest::newRow("the first keeps its place") << 10 << 3;
+        QTest::newRow("the lowest three just fit") << 350 << 3;
+        QTest::newRow("all") << 349 << 4;
+        QTest::newRow("all, which do not fit") << 10 << 4;
     }
     void lowestPanelsShareAPlace()
     {
@@ -35,6 +37,9 @@ private slots:
         QCOMPARE(ui::lowerTabs({}, -1), 0);
         const int one = 100;
         QCOMPARE(ui::lowerTabs({&one, 1}, 10), 0);
+        const std::vector two{300, 300};
+        QCOMPARE(ui::lowerTabs(two, 600), 0);
+        QCOMPARE(ui::lowerTabs(two, 599), 2);
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/start_panel.h"
+#include "ui/editing/keeping.h"
 #include "ui/look/look.h"
 #include "ui/window/panels.h"
 #include "ui/window/workspaces.h"
@@ -51,11 +52,10 @@ private slots:
     {
         TestWindow t;
         for (const Workspace& workspace : workspaces()) {
-            QStringList panels = workspace.column;
-            if (!workspace.wide.isEmpty())
-                panels << workspace.wide;
-            for (const QString& key : panels)
+            for (const QString& key : workspace.column)
                 QVERIFY2(t.window->findChild<QDockWidget*>(key), qPrintable(key));
+            for (const QString& key : workspace.folds)
+                QVERIFY2(workspace.column.contains(key), qPrintable(key));
         }
     }
     void aTabOrAKeyChangesOnlyTheColumn()
@@ -86,28 +86,54 @@ private slots:
         QCOMPARE(&t.window->workspace(), &findWorkspace("workspace-draw"));
         QCOMPARE(t.window->canvas().tool(), "line");
     }
-    void inDrawTheAlgorithmIsOneLine_data()
+    void aFoldedSectionIsOneLine_data()
     {
         QTest::addColumn<QSize>("size");
         QTest::newRow("1440 x 900") << QSize(1440, 900);
         QTest::newRow("1280 x 800") << QSize(1280, 800);
         QTest::newRow("1280 x 800 with a title bar and a panel of the desktop") << QSize(1280, 720);
     }
-    void inDrawTheAlgorithmIsOneLine()
+    void aFoldedSectionIsOneLine()
     {
         QFETCH(QSize, size);
         TestWindow t;
         showInDraw(t, size);
-        const auto* algorithm = t.window->findChild<Dock*>("algorithm");
-        const auto* selection = t.window->findChild<Dock*>("selection");
-        QVERIFY(algorithm->isFolded());
-        QVERIFY(algorithm->isVisible() && selection->isVisible());
-        QVERIFY2(algorithm->height() <= 2 * space::dockTitleHeight,
-                 qPrintable(QString::number(algorithm->height())));
-        QVERIFY(selection->y() > algorithm->y());
-        QVERIFY(selection->height() >= selection->minimumSizeHint().height());
+        for (int tab = 0; tab < tabs(t).count(); ++tab) {
+            click(t, tab);
+            for (const QString& key : t.window->workspace().folds) {
+                const auto* dock = t.window->findChild<Dock*>(key);
+                QVERIFY2(dock->isFolded() && dock->isVisible(), qPrintable(key));
+                QCOMPARE(dock->height(), space::dockTitleHeight);
+                QCOMPARE(dock->visibleRegion().boundingRect().height(), dock->height());
+            }
+        }
     }
-    void noPanelIsCut_data() { inDrawTheAlgorithmIsOneLine_data(); }
+    void aFoldedSectionSaysItsResult()
+    {
+        TestWindow t;
+        showInDraw(t, {1440, 900});
+        const auto says = [&t](const char* key, const char* text) {
+            const auto* heading = t.window->findChild<Dock*>(key)->titleBarWidget();
+            return std::ranges::any_of(heading->findChildren<QLabel*>(), [text](auto* label) {
+                return label->accessibleName() == QString::fromUtf8(text);
+            });
+        };
+        click(t, 1);
+        QVERIFY(says("cut-edges", "areas open, every piece kept"));
+        t.window->session().changeDisplay([](app::Display& display) {
+            display.cutting = {true, true, 2};
+            display.unit = app::Unit::Mm;
+        });
+        QVERIFY(says("cut-edges", "areas closed, no piece below 2.00 mm, hidden objects too"));
+        layWindowOnPage(t.window->session());
+        QVERIFY(says("window", "Rectangle"));
+        QVERIFY(says("algorithm", "Exact for a window: rectangle"));
+        setKeep(t.window->session(), app::Keep::Outside);
+        QVERIFY(says("window", "all but Rectangle"));
+        click(t, 0);
+        QVERIFY(says("history", "Keep outside"));
+    }
+    void noPanelIsCut_data() { aFoldedSectionIsOneLine_data(); }
     void noPanelIsCut()
     {
         QFETCH(QSize, size);
@@ -118,7 +144,7 @@ private slots:
             if (dock->visibleRegion().isEmpty())
                 continue;
             shown.push_back(dock->geometry());
-            const QWidget& body = *dock->widget();
+            const QWidget& body = dock->body();
             const int least = dock->isFolded()
                                   ? 0
                                   : std::max(body.minimumSizeHint().height(), body.minimumHeight());
