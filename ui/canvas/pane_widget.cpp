@@ -37,7 +37,7 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
     connect(&session_, &app::Session::previewChanged, this, &PaneWidget::followWindow);
     for (const auto changed : {&app::Session::selectionChanged, &app::Session::loaded})
         connect(&session_, changed, this, &PaneWidget::sayWhatIsChosen);
-    connect(&controller, &Controller::toolChanged, this, &PaneWidget::sayWhatIsChosen);
+    connect(&controller.held(), &HeldTool::chosen, this, &PaneWidget::sayWhatIsChosen);
     connect(&session_.nodes, &app::NodeEditing::changed, this, &PaneWidget::sayWhatIsChosen);
     connect(&session_.document, &app::EditedDocument::changed, this, &PaneWidget::sayWhatIsChosen,
             Qt::QueuedConnection); // the selection may not be updated yet
