@@ -69,7 +69,7 @@ CutOptionsBox::CutOptionsBox(app::Session& session)
     grid->setColumnStretch(2, 1);
     grid->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
                              space::dockMargin);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    grid->setRowStretch(2, 1); // behind another tab it may be higher than it needs
     connect(least_, &LengthField::edited, this, [this](double length) {
         app::CutChoices choices = session_.display().cutting;
         choices.leastMillimetres = length * session_.now().page().millimetresPerUnit();

@@ -18,14 +18,15 @@ namespace ui {
 
 namespace {
 
-constexpr int signSide = 14;
+constexpr int headingSign = 14;
 
 } // namespace
 
 DockTitle::DockTitle(QDockWidget& dock)
-    : QWidget(&dock), dock_(dock), chevron_(new FoldButton), sign_(new IconSign(QIcon(), signSide)),
-      name_(new QLabel(dock.windowTitle())), remark_(new ElidedLabel), aside_(new QStackedWidget),
-      valueSign_(new IconSign("tick", signSide)), value_(new LookLabel)
+    : QWidget(&dock), dock_(dock), chevron_(new FoldButton),
+      sign_(new IconSign(QIcon(), headingSign)), name_(new QLabel(dock.windowTitle())),
+      remark_(new ElidedLabel), aside_(new QStackedWidget),
+      valueSign_(new IconSign("tick", headingSign)), value_(new LookLabel)
 {
     name_->setFont(semiBold(font()));
     remark_->setForegroundRole(QPalette::PlaceholderText);
@@ -102,7 +103,12 @@ void DockTitle::setValue(const SectionValue& value)
     showButtons();
 }
 
-void DockTitle::setFoldable(bool foldable) { chevron_->setVisible(foldable); }
+void DockTitle::setFoldable(bool foldable)
+{
+    chevron_->setVisible(foldable);
+    constexpr int besideArrow = 4; // which is in the middle of the button
+    layout()->setContentsMargins(space::dockMargin - (foldable ? besideArrow : 0), 0, 4, 0);
+}
 
 void DockTitle::showFolded(bool folded) { chevron_->show(folded, dock_.windowTitle()); }
 
