@@ -32,7 +32,7 @@ QString whyNoShortcut(const QKeySequence& sequence, KeyedCommand::Scope scope)
 {
     if (sequence.count() != 1 || sequence[0].key() == Qt::Key_unknown || sequence[0].key() == 0
         || isOf(modifierKeys, sequence[0].key()))
-        return Text::tr("This is no key that a command can have.");
+        return Text::tr("This key cannot be a shortcut.");
     const Qt::Key key = sequence[0].key();
     const Qt::KeyboardModifiers with = sequence[0].keyboardModifiers();
     const bool alone = !(with & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));

@@ -183,7 +183,7 @@ void KeyboardPage::takeOver()
     field_->setFocus(); // the button is about to be hidden
     keys_.change([this, &key](app::KeyTable& all) { all.give(*chosen_, key); });
     if (holder)
-        answer(Text::tr("“%1” has lost this key.").arg(keys_.table().commands()[*holder].name),
+        answer(Text::tr("“%1” no longer has this key.").arg(keys_.table().commands()[*holder].name),
                false);
 }
 

@@ -86,9 +86,9 @@ private slots:
         const auto row = [](const char* name, std::size_t command, const K& key, const char* why) {
             QTest::newRow(name) << command << key << QString(why);
         };
-        row("none", Save, K(), "no key");
-        row("two", Save, K("Ctrl+K, Ctrl+S"), "no key");
-        row("Shift alone", Save, K(Qt::Key_Shift), "no key");
+        row("none", Save, K(), "cannot be a shortcut");
+        row("two", Save, K("Ctrl+K, Ctrl+S"), "cannot be a shortcut");
+        row("Shift alone", Save, K(Qt::Key_Shift), "cannot be a shortcut");
         row("Esc", Line, K(Qt::Key_Escape), "everywhere");
         row("Shift+Tab", Line, K(Qt::SHIFT | Qt::Key_Tab), "everywhere");
         row("arrow", Line, K(Qt::ALT | Qt::Key_Left), "moves");
