@@ -10,6 +10,12 @@ namespace ui {
 
 namespace {
 
+/// What was just drawn is selected by the transformation.
+bool someToTransform(const MainWindow& window)
+{
+    return someSelected(window) || !app::justAdded(window.session()).empty();
+}
+
 /// Begins a transformation that takes the pointer or numbers.
 ActionInfo begin(const app::Transformation& kind)
 {
@@ -19,7 +25,7 @@ ActionInfo begin(const app::Transformation& kind)
         .keys = {QKeySequence(QString(kind.letter))},
         .scope = ShortcutScope::Canvas,
         .run = [&kind](MainWindow& w) { w.canvas().transform(kind); },
-        .enabled = someSelected,
+        .enabled = someToTransform,
         .needs = kind.needs,
     };
 }
