@@ -367,7 +367,7 @@ private slots:
         const QString usual = stage.canvas->toolHint();
         stage.session.select(app::ObjectRanges(app::ObjectRange{0, 1200}));
         stage.move({100, 90});
-        QVERIFY(stage.canvas->toolHint().startsWith("1,200 selected."));
+        QVERIFY(stage.canvas->toolHint().startsWith("1,200 objects selected."));
         stage.session.select({});
         QCOMPARE(stage.canvas->toolHint(), usual);
         stage.session.inspect(1);
