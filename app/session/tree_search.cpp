@@ -70,13 +70,10 @@ TreeSearch::Words TreeSearch::wordsOf(std::size_t object, const ObjectView& view
     const Particulars& particulars = view.particulars();
     if (!particulars.id.isEmpty())
         return wordsIn(particulars.id) | wordsIn(particulars.title);
-    const std::string_view icon = iconOf(view);
-    auto kind = kinds_.find(icon);
-    if (kind == kinds_.end()) {
-        kind = kinds_.emplace(icon, nameOf(view)).first;
-        wordsOfKinds_.emplace(icon, wordsIn(kind->second));
-    }
-    Words words = wordsOfKinds_.at(icon);
+    const auto [kind, isNew] = ofKinds_.try_emplace(iconOf(view));
+    if (isNew)
+        kind->second = wordsIn(nameOf(view));
+    Words words = kind->second;
     if (hasDigits_)
         words |= wordsIn(countText(session_.numbers.of(object)));
     return particulars.title.isEmpty() ? words : words | wordsIn(particulars.title);

@@ -40,8 +40,7 @@ private:
     std::vector<ContainerId> containers_; ///< still to be looked at, the last one first
     std::size_t objects_;                 ///< as many from below are still to be looked at
     std::unordered_map<ContainerId, Words> around_;
-    std::unordered_map<std::string_view, QString> kinds_; ///< by icon
-    std::unordered_map<std::string_view, Words> wordsOfKinds_;
+    std::unordered_map<std::string_view, Words> ofKinds_; ///< by icon
     std::vector<ContainerId> foundContainers_;
     std::vector<std::size_t> foundObjects_; ///< descending
     std::size_t found_ = 0;
