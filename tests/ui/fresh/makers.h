@@ -131,6 +131,17 @@ inline void openColours(QWidget& widget, Desk& desk)
     static_cast<ColourPopup&>(widget).open(desk.canvas, {app::coloursInUse(objects, 20), {}, {}});
 }
 
+/// Both panels that say how clip windows cut.
+inline QWidget* windowsAndEdges(Desk& desk)
+{
+    auto* both = new QWidget;
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(new WindowPanel(desk.session));
+    column->addWidget(new CutOptionsBox(desk.session));
+    return both;
+}
+
 } // namespace makers_parts
 
 inline std::vector<Maker> makers()
@@ -140,8 +151,7 @@ inline std::vector<Maker> makers()
         // Panels
         {"start", {320, 500}, [](Desk&) { return new StartPanel; }, nullptr, false, true},
         {"algorithm", {320, 400}, onSession<AlgorithmPanel>},
-        {"windows", {320, 250}, onSession<WindowPanel>},
-        {"cut-edges", {320, 80}, onSession<CutOptionsBox>},
+        {"windows", {320, 330}, windowsAndEdges},
         {"selection", {320, 200}, onSession<SelectionPanel>},
         {"style", {320, 260}, [](Desk& desk) { return new StylePanel(desk.session, desk.canvas); }},
         {"line", {320, 300}, onSession<LinePanel>},
