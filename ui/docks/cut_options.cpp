@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/cut_options.h"
 
+#include "app/base/numbers.h"
 #include "app/settings/remembered.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"

@@ -43,6 +43,8 @@
 #include "ui/widgets/message_strip.h"
 #include "ui/window/workspace_tabs.h"
 
+#include <QVBoxLayout>
+
 #include "tests/app/charts/sample_charts.h"
 #include "tests/ui/fresh/desk.h"
 
