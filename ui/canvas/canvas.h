@@ -48,7 +48,7 @@ public:
     std::string_view tool() const;
     QString toolHint() const;       ///< the tool's current hint
     app::DigitUse digitUse() const; ///< what a digit does now
-    void leaveKeysToCommands();     ///< those of tools, transformations and views
+    void leaveKeysToCommands();     ///< those of tools and views
     bool digitsChoose() const;      ///< whether digits choose the algorithm, outside gestures
 
     /// Undo or redo one step: a corner of the polyline being drawn, else a step of the history.

@@ -139,9 +139,8 @@ struct Use {
     bool isOfCommand = false; ///< left to the commands, where these have keys
 };
 /// In the order in which they are asked.
-constexpr std::array uses{
-    Use{escape},    Use{arrow},     Use{viewKey, true}, Use{toolKey, true}, Use{transformKey, true},
-    Use{windowKey}, Use{capsuleKey}};
+constexpr std::array uses{Use{escape},       Use{arrow},     Use{viewKey, true}, Use{toolKey, true},
+                          Use{transformKey}, Use{windowKey}, Use{capsuleKey}};
 
 } // namespace
 

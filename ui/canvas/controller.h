@@ -53,7 +53,7 @@ public:
     /// digitsChoose() allows: the canvas takes the digits of a gesture before.
     app::DigitUse digitUse() const { return app::digitUse(digitPlace()); }
     bool digitsChoose() const; ///< outside gestures
-    /// Tools, transformations and views have keys by commands, which the person may change.
+    /// Tools and views have keys by commands, which the person may change.
     void leaveKeysToCommands() { leavesKeys_ = true; }
     bool leavesKeys() const { return leavesKeys_; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sheets/command_keys.h"
 
+#include "app/base/text.h"
+#include "app/drawing/transformation.h"
 #include "ui/look/key_tip.h"
 #include "ui/look/text.h"
 #include "ui/window/keyboard.h"
@@ -11,6 +13,8 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -29,7 +33,11 @@ QString keyOf(const QAction& action)
 app::KeyedCommand::Scope scopeOf(const QAction& action)
 {
     using enum app::KeyedCommand::Scope;
-    return action.shortcutContext() == Qt::WidgetShortcut               ? Fixed
+    // Transformations begin in the middle of a gesture, where only the canvas understands them.
+    const bool transforms = std::ranges::any_of(app::transformations(), [&](const auto& kind) {
+        return action.objectName() == app::latin(kind.key);
+    });
+    return transforms || action.shortcutContext() == Qt::WidgetShortcut ? Fixed
            : action.shortcutContext() == Qt::WidgetWithChildrenShortcut ? Canvas
                                                                         : Everywhere;
 }
