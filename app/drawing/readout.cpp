@@ -273,7 +273,10 @@ Point Readout::end(const Point& pointer) const
         return gauge_.measure->end(gauge_.start, pointer + gauge_.shift, held_);
     if (!holds())
         return gauge_.aim->point;
-    Held held = held_; // what is not typed stays as it was
+    Held held = held_;
+    if (gauge_.alike && held[0].has_value() != held[1].has_value())
+        held[held[0] ? 1 : 0] = std::abs(*(held[0] ? held[0] : held[1]));
+    // What is not typed stays as it was.
     for (std::size_t field = 0; field < held.size(); ++field)
         if (!held[field] && !gauge_.measure->equal)
             held[field] = gauge_.aim->numbers[field];

@@ -24,6 +24,7 @@ struct Gauge {
     Point shift{0, 0};                 ///< from the pointer to the point that it moves
     Numbers kept{};                    ///< of the fields that the pointer does not steer
     bool repeats = false;              ///< whether "5x" and "5/" have a meaning
+    bool alike = false;                ///< with an aim: of two sides, one typed alone is both
 };
 
 /// The numbers beside the pointer during a gesture, and what is typed into them. A number that

@@ -134,13 +134,24 @@ bool capsuleKey(const QKeyEvent& event, Controller& controller)
     return true;
 }
 
+/// Ends a box whose size is known while the pointer waits: the last one's, or what is typed.
+bool acceptKey(const QKeyEvent& event, Controller& controller)
+{
+    const auto& readout = controller.typing().readout();
+    if (!isEnter(event) || !isPlain(event) || !controller.held().busy() || !readout
+        || !readout->gauge().alike)
+        return false;
+    controller.typing().accept();
+    return true;
+}
+
 struct Use {
     bool (*take)(const QKeyEvent& event, Controller& controller);
     bool isOfCommand = false; ///< left to the commands, where these have keys
 };
 /// In the order in which they are asked.
-constexpr std::array uses{Use{escape},       Use{arrow},     Use{viewKey, true}, Use{toolKey, true},
-                          Use{transformKey}, Use{windowKey}, Use{capsuleKey}};
+constexpr std::array uses{Use{acceptKey},     Use{escape},       Use{arrow},     Use{viewKey, true},
+                          Use{toolKey, true}, Use{transformKey}, Use{windowKey}, Use{capsuleKey}};
 
 } // namespace
 

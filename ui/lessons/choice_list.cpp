@@ -126,6 +126,12 @@ void ChoiceList::showChoices(const app::Question& question, const app::Course& c
 {
     for (const QString& choice : question.choices)
         addButton(choice);
+    QWidget* before = giveUp_; // Tab goes from the first one on to this button
+    for (QPushButton* button : buttons_) {
+        setTabOrder(before, button);
+        before = button;
+    }
+    setTabOrder(before, giveUp_);
     for (const int choice : course.answer().tries)
         if (choice != question.right)
             mark(choice, false);

@@ -123,14 +123,16 @@ std::vector<ActionInfo> workspaceRows()
             .group = "workspace",
         });
     }
+    rows.push_back({});
+    rows.push_back({
+        .key = "reset-layout",
+        .text = Text::tr("Reset la&yout"),
+        .run = [](MainWindow& w) { w.resetLayout(); },
+    });
     return rows;
 }
 
-void addPanels(MainWindow& window, QMenu& menu)
-{
-    menu.addActions(window.panelToggles());
-    menu.addSeparator();
-}
+void addPanels(MainWindow& window, QMenu& menu) { menu.addActions(window.panelToggles()); }
 
 template <app::RemovedPart removed>
 ActionInfo removedRow(std::string_view key, const QString& text)
@@ -289,14 +291,7 @@ std::vector<ActionInfo> removedRows()
 
 std::vector<ActionInfo> panelRows()
 {
-    return {
-        {.text = Text::tr("Panels"), .fill = addPanels},
-        {
-            .key = "reset-layout",
-            .text = Text::tr("Reset la&yout"),
-            .run = [](MainWindow& w) { w.resetLayout(); },
-        },
-    };
+    return {{.text = Text::tr("Panels"), .fill = addPanels}};
 }
 
 } // namespace

@@ -108,6 +108,7 @@ void CodeView::showRows()
     QTextCursor all(document());
     all.select(QTextCursor::Document);
     all.mergeBlockFormat(apart);
+    moveCursor(QTextCursor::Start); // where it is shown first
     placeNumbers();
     keepInSight();
 }

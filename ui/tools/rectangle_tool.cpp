@@ -14,6 +14,8 @@ class RectangleTool final : public CornerTool {
 public:
     QString hint(const Workbench& bench) const override
     {
+        if (const QString again = CornerTool::hint(bench); !again.isEmpty())
+            return again;
         const double radius = keptBy(keeps(), bench, {})[2];
         if (radius <= 0)
             return {};

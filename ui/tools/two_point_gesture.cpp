@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/two_point_gesture.h"
 
+#include "app/base/numbers.h"
 #include "ui/look/text.h"
+
+#include <typeinfo>
 
 namespace ui {
 
@@ -65,12 +68,38 @@ std::optional<app::Gauge> TwoPointGesture::gauge(const Workbench& bench) const
         return gaugeOfStart(bench);
     app::Gauge gauge = gaugeFrom(gesture_->from, measure(gesture_->modifiers), bench);
     gauge.kept = gesture_->numbers;
-    if (waits_ && hasSides(*gauge.measure))
-        gauge.aim =
-            app::GestureEnd{gesture_->from, gauge.measure->values(gauge.start, gesture_->from)};
-    if (last_.isOpen())
+    if (last_.isOpen()) {
         gauge.aim = app::GestureEnd{done_.to, gauge.measure->values(gauge.start, done_.to)};
+    } else if (waits_ && hasSides(*gauge.measure)) {
+        gauge.aim = sameAgain(bench);
+        gauge.alike = true;
+    }
     return gauge;
+}
+
+/// Of the size that was made last; empty if the first is made.
+std::optional<app::GestureEnd> TwoPointGesture::sameAgain(const Workbench& bench) const
+{
+    const app::GestureMeasure& measure = this->measure(gesture_->modifiers);
+    const app::GestureStart start{gesture_->from};
+    const auto last = bench.lastSides.find(typeid(*this));
+    app::Point to = gesture_->from;
+    if (last != bench.lastSides.end())
+        to = measure.end(start, to, {last->second.x, last->second.y});
+    return app::GestureEnd{to, measure.values(start, to)};
+}
+
+QString TwoPointGesture::hint(const Workbench& bench) const
+{
+    const auto last = bench.lastSides.find(typeid(*this));
+    if (!gesture_ || !waits_ || last == bench.lastSides.end())
+        return {};
+    const double size = bench.session.now().page().millimetresPerUnit();
+    const auto length = [&](double side) {
+        return app::lengthText(side, bench.session.display().unit, size);
+    };
+    return Text::tr("Enter: %1 × %2 again. Or type the size, or drag.")
+        .arg(length(last->second.x), length(last->second.y));
 }
 
 void TwoPointGesture::accept(const app::GestureEnd& end, Workbench& bench)
@@ -124,6 +153,10 @@ void TwoPointGesture::add(Workbench& bench)
     last_.discard();
     make(bench);
     done_ = *gesture_;
+    if (const app::GestureMeasure& measure = this->measure(done_.modifiers); hasSides(measure)) {
+        const app::Numbers sides = measure.values({done_.from}, done_.to);
+        bench.lastSides[typeid(*this)] = glm::abs(app::Point(sides[0], sides[1]));
+    }
     last_.remember(bench);
 }
 

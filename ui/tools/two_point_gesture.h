@@ -19,6 +19,7 @@ public:
     void accept(const app::GestureEnd& end, Workbench& bench) override;
     void reopen(Workbench& bench) override;
     bool corrects() const override { return last_.isOpen(); }
+    QString hint(const Workbench& bench) const override;
     /// Whether numbers typed now would change what was made last.
     bool canCorrect(const Workbench& bench) const { return last_.canReopen(bench); }
 
@@ -51,13 +52,14 @@ protected:
 
 private:
     std::optional<std::size_t> firstZero() const;
+    std::optional<app::GestureEnd> sameAgain(const Workbench& bench) const;
     void moveEnd(const app::Point& to, Workbench& bench);
     void finish(Workbench& bench);
 
     std::optional<app::Point> pressed_; ///< on the screen; empty: the button is up
     std::optional<app::Point> screen_;  ///< where the pointer was last
-    /// Where it was when the gesture began. While it waits there, the sides of a box go right and
-    /// down.
+    /// Where it was when the gesture began. While it waits there, a box is as large as the last
+    /// one, and typed sides go right and down.
     std::optional<app::Point> waitsAt_;
     bool waits_ = false;
     LastStep last_;

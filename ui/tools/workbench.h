@@ -14,6 +14,7 @@
 #include <map>
 #include <optional>
 #include <string_view>
+#include <typeindex>
 
 namespace ui {
 
@@ -44,6 +45,8 @@ struct Workbench {
     std::optional<std::size_t> nextObject{};
     /// The numbers that tools keep for their next object, by the key of the tool.
     std::map<std::string_view, app::Numbers> kept{};
+    /// Width and height of what each tool made last, by its class.
+    std::map<std::type_index, app::Point> lastSides{};
     QString keptFont{};       ///< of the last text that was typed; empty: none was
     app::FontFace keptFace{}; ///< that was chosen; a font that lacks it does not change it
     /// The point that was drawn or typed last in this drawing; empty: none was.

@@ -45,7 +45,8 @@ QSet<QString> keysOfGestures()
     return {"Shift",     "Alt",   "Ctrl",       "Esc",     "Enter",       "Tab",
             "Backspace", "Space", "Up",         "Down",    "Left",        "Right",
             "X",         "Y",     "C",          "P",       "Shift+Enter", "0",
-            "1",         "9",     "Ctrl+Enter", "Ctrl+Up", "Ctrl+Down",   "Shift+Tab"};
+            "1",         "9",     "Ctrl+Enter", "Ctrl+Up", "Ctrl+Down",   "Shift+Tab",
+            "Ctrl+B",    "Ctrl+I"};
 }
 
 QString allPages()

@@ -52,9 +52,9 @@ private slots:
     void traced()
     {
         const std::vector<app::Point> points{{20, 60}, {50, 30}, {80, 60}, {110, 40}};
-        Steps steps;
-        for (const char* corner : {"17,57", "47,27", "77,57", "107,37"})
-            add(steps, {key("E"), type(corner), enter(), type("6"), tab(), type("6"), enter()});
+        Steps steps{key("E"), type("17,57"), enter(), type("6"), enter()};
+        for (const char* corner : {"#47,27", "#77,57", "#107,37"})
+            add(steps, {type(corner), enter(), enter()}); // as large as the last one
         add(steps, {key("P")});
         for (const app::Point& p : points)
             add(steps, {click(p + app::Point(0.3, -0.3))});

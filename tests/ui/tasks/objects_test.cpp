@@ -24,16 +24,12 @@ class ObjectsTest : public QObject {
         }
         return drawn;
     }
-    static Steps another(const char* corner)
-    {
-        return {type(corner), enter(), type("20"), tab(), type("10"), enter()};
-    }
     static Steps rectangle(const char* corner)
     {
-        Steps steps{key("R")};
-        add(steps, another(corner));
-        return steps;
+        return {key("R"), type(corner), enter(), type("20"), tab(), type("10"), enter()};
     }
+    /// Enter gives it the size of the last one.
+    static Steps another(const char* corner) { return {type(corner), enter(), enter()}; }
 
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
@@ -41,7 +37,7 @@ private slots:
     void turnedGroup()
     {
         Steps steps = rectangle("40,50");
-        add(steps, rectangle("80,50"));
+        add(steps, another("#80,50"));
         add(steps, {key("Ctrl+A"), key("Ctrl+G")});
         add(steps, another("40,90"));
         add(steps, {key("V"), click({50, 90}), key("Right"), click({90, 50}), key("O"),
@@ -52,10 +48,10 @@ private slots:
     void hatchedRectangle()
     {
         Steps steps = rectangle("40,50");
-        add(steps,
-            {key("L"), type("42,50"), enter(), type("10"), tab(), type("270"), enter(), key("G"),
-             key("C"), type("4,0"), enter(), type("4x"), enter(), key("Ctrl+A"), key("Ctrl+G")});
-        add(steps, rectangle("80,50"));
+        add(steps, {key("L"), type("42,50"), enter(), type("10"), tab(), type("270"), enter(),
+                    key("G"), key("C"), type("4,0"), enter(), type("4x"), enter(), key("Ctrl+A"),
+                    key("Ctrl+G"), key("R")});
+        add(steps, another("80,50"));
         add(steps, {key("V"), click({90, 50}), key("Down"), click({46, 55}), key("G"), type("0,40"),
                     enter()});
         Table table{box({40, 90})};

@@ -31,7 +31,7 @@ private slots:
     {
         check({key("L"), type("20,20"), enter(), type("60,40"), enter(), enter(), type("20,60"),
                enter(), type("#80,0"), enter(), key("E"), click({44.4, 36.3}, Qt::AltModifier),
-               type("20"), tab(), type("20"), enter()},
+               type("20"), enter()},
               {{{{20, 20}, {80, 60}}}, {{{20, 60}, {80, 0}}}, circle({44, 36}, 10)});
     }
     void perpendicular()

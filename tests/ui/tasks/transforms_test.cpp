@@ -47,9 +47,9 @@ private slots:
     }
     void holeCircle()
     {
-        Steps steps{key("E"),    type("10,10"), enter(),     type("80"),
-                    tab(),       type("80"),    enter(),     click({50.3, 10.4}, Qt::AltModifier),
-                    type("6.6"), tab(),         type("6.6"), enter()};
+        Steps steps{key("E"),    type("10,10"), enter(),
+                    type("80"),  enter(),       click({50.3, 10.4}, Qt::AltModifier),
+                    type("6.6"), enter()};
         const Steps more{key("O"), move({50.3, 50.2}), key("P"), key("C"), type("60"),
                          enter(),  type("5x"),         enter()};
         steps.insert(steps.end(), more.begin(), more.end());
@@ -81,8 +81,9 @@ private slots:
     void nudged()
     {
         Steps steps;
-        for (const char* corner : {"40,50", "80,50", "40,90"})
-            rectangle(steps, corner, "20", "10");
+        rectangle(steps, "40,50", "20", "10");
+        for (const char* corner : {"#80,50", "#40,90"})
+            add(steps, {type(corner), enter(), enter()});
         const Steps more{key("Ctrl+A"), key("Right"), key("Shift+Down"), key("Up")};
         steps.insert(steps.end(), more.begin(), more.end());
         check(steps, boxes({{{41, 59}, {61, 69}}, {{81, 59}, {101, 69}}, {{41, 99}, {61, 109}}}));
@@ -109,27 +110,10 @@ private slots:
     {
         Steps steps;
         rectangle(steps, "20,20", "60", "40");
-        add(steps, {key("E"),
-                    click({50.4, 39.7}, Qt::AltModifier),
-                    type("10"),
-                    tab(),
-                    type("10"),
-                    enter(),
-                    key("G"),
-                    type("-20,0"),
-                    enter(),
-                    key("E"),
-                    click({30.3, 40.4}, Qt::AltModifier),
-                    type("16"),
-                    tab(),
-                    type("16"),
-                    enter(),
-                    key("V"),
-                    click({35, 40}),
-                    key("G"),
-                    key("C"),
-                    type("40,0"),
-                    enter()});
+        add(steps,
+            {key("E"), click({50.4, 39.7}, Qt::AltModifier), type("10"), enter(), key("G"),
+             type("-20,0"), enter(), key("E"), click({30.3, 40.4}, Qt::AltModifier), type("16"),
+             enter(), key("V"), click({35, 40}), key("G"), key("C"), type("40,0"), enter()});
         Table table = boxes({{{20, 20}, {80, 60}}});
         table.insert(table.end(), {circle({30, 40}, 5), circle({30, 40}, 8), circle({70, 40}, 5)});
         check(steps, table);
@@ -166,9 +150,9 @@ private slots:
     {
         Steps steps{clickField("Stroke width"), key("Ctrl+A"), type("0.7"), enter()};
         rectangle(steps, "20,30", "25", "20");
-        add(steps, {key("E"), type("22.5,30"), enter(), type("20"), tab(), type("20"), enter(),
-                    key("Ctrl+A"), press("Keep the ratio of width to height"), clickField("Width"),
-                    key("Ctrl+A"), type("50"), enter()});
+        add(steps, {key("E"), type("22.5,30"), enter(), type("20"), enter(), key("Ctrl+A"),
+                    press("Keep the ratio of width to height"), clickField("Width"), key("Ctrl+A"),
+                    type("50"), enter()});
         Table table = boxes({{{20, 30}, {70, 70}}});
         table.push_back(circle({45, 50}, 20));
         for (Drawn& path : table)

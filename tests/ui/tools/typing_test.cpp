@@ -168,6 +168,46 @@ private slots:
         QVERIFY(same(hand.lastBox().min, {35, 40}) && same(hand.lastBox().max, {60, 52.5}));
         QCOMPARE(hand.count(), std::size_t(3));
     }
+    void oneSideAloneIsASquare()
+    {
+        Hand hand("ellipse");
+        hand.move({20, 10});
+        hand.type("60,40\n25\n");
+        QVERIFY(same(hand.lastBox().min, {60, 40}) && same(hand.lastBox().max, {85, 65}));
+        hand.type("12\n"); // a correction of the width is one
+        QVERIFY(same(hand.lastBox().max - hand.lastBox().min, {12, 25}));
+        hand.type("#60,40\n\t8\n");
+        QVERIFY(same(hand.lastBox().max - hand.lastBox().min, {8, 8}));
+        hand.type("#60,40\n");
+        hand.move({80, 70}); // the pointer says how high it is
+        hand.type("5\n");
+        const app::Point size = hand.lastBox().max - hand.lastBox().min;
+        QVERIFY(same({size.x, 5}, {5, 5}) && size.y > 20);
+        QCOMPARE(hand.count(), std::size_t(3));
+    }
+    void enterMakesAnotherOfTheSameSize()
+    {
+        Hand hand("rectangle");
+        hand.move({20, 10});
+        hand.type("60,40\n");
+        hand.key(Qt::Key_Return); // there is none yet
+        QCOMPARE(hand.count(), std::size_t(0));
+        hand.type("25\t12.5\n#10,20\n");
+        QVERIFY(hand.canvas->toolHint().contains("25"));
+        hand.key(Qt::Key_Return);
+        QCOMPARE(hand.count(), std::size_t(2));
+        QVERIFY(same(hand.lastBox().min, {10, 20}) && same(hand.lastBox().max, {35, 32.5}));
+        hand.canvas->setTool("rectangle"); // chosen anew
+        hand.click({70, 60});
+        hand.key(Qt::Key_Return);
+        QCOMPARE(hand.count(), std::size_t(3));
+        QVERIFY(same(hand.lastBox().max - hand.lastBox().min, {25, 12.5}));
+        hand.click({70, 20});
+        hand.move({90, 50});
+        QVERIFY(!hand.canvas->toolHint().contains("again"));
+        hand.click({90, 50});
+        QVERIFY(!same(hand.lastBox().max - hand.lastBox().min, {25, 12.5}));
+    }
     void rectangleIsDrawnByTwoClicks()
     {
         Hand hand("rectangle");
