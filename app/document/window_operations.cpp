@@ -59,9 +59,8 @@ std::span<const WindowOperationInfo> windowOperations()
                             Text::tr("Replace"),
                             Text::tr("replaces"),
                             Text::tr("Rep&lace those above"),
-                            Text::tr("Let the window take the place of those above it, which have "
-                                     "no effect then"),
-                            Text::tr("Replace by %1"),
+                            Text::tr("Let the window count alone: those above it have no effect"),
+                            Text::tr("Replace with %1"),
                             Text::tr("replace by %1"),
                             {}},
     };

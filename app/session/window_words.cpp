@@ -125,11 +125,12 @@ QString replacedText(const ClipWindows& windows, std::size_t number)
 
 QString whyNot(const ClipWindows& windows, std::size_t number, WindowOperation operation)
 {
-    const bool adds = operation == WindowOperation::Add;
+    const bool needsOne =
+        operation == WindowOperation::Intersect || operation == WindowOperation::Replace;
     const ClipWindow& window = windows.list[number];
-    return number > 0 || adds || window.operation == operation
+    return number > 0 || !needsOne || window.operation == operation
                ? QString()
-               : Text::tr("%1 is the first window, so it can only add.").arg(nameOf(window));
+               : Text::tr("No clip window is above %1.").arg(nameOf(window));
 }
 
 QString comparedName(const Session& session)

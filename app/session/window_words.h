@@ -29,7 +29,7 @@ std::string_view iconOf(const ObjectView& object);
 QString resultOf(const ClipWindows& windows);
 /// "without effect: Star 2 replaces it"; empty for any other window.
 QString replacedText(const ClipWindows& windows, std::size_t number);
-/// Why a window cannot get an operation: "Star 2 is the first window, so it can only add."; empty
+/// Why a window cannot get an operation: "No clip window is above Star 2."; empty
 /// if it can, or has it.
 QString whyNot(const ClipWindows& windows, std::size_t number, WindowOperation operation);
 

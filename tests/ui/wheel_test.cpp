@@ -175,7 +175,7 @@ private slots:
         QFETCH(QString, part);
         Desk desk(3);
         desk_changes::openFull(desk);
-        desk.session.microscope.goTo(1);
+        desk.session.microscope.goTo(3);
         const auto all = makers();
         const Maker& row = *std::ranges::find(all, maker, &Maker::name);
         const std::unique_ptr<QWidget> window(row.make(desk));

@@ -185,17 +185,18 @@ bool TextBox::eventFilter(QObject* watched, QEvent* event)
     return QFrame::eventFilter(watched, event);
 }
 
-/// The button that the key presses; null: none.
-QToolButton* TextBox::faceOf(const QKeyEvent& event) const
+/// The face that the key is for, also where the font does not have it: the key is the text's.
+const TextBox::Face* TextBox::faceOf(const QKeyEvent& event) const
 {
     const auto face = std::ranges::find(faces_, event.keyCombination(), &Face::key);
-    return face != faces_.end() && face->button->isVisible() ? face->button : nullptr;
+    return face != faces_.end() ? &*face : nullptr;
 }
 
 bool TextBox::key(const QKeyEvent& event)
 {
-    if (QToolButton* const button = faceOf(event)) {
-        button->click();
+    if (const Face* const face = faceOf(event)) {
+        if (face->button->isVisible())
+            face->button->click();
         return true;
     }
     const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;

@@ -34,7 +34,6 @@ private:
     void place(const TypedText& text);
     void change(const std::function<void(app::TextRecipe&)>& edit);
     bool key(const QKeyEvent& event);
-    QToolButton* faceOf(const QKeyEvent& event) const;
 
     Controller& controller_;
     QWidget* surface_ = nullptr;
@@ -47,6 +46,7 @@ private:
         bool app::FontFace::*part;
         QKeyCombination key;
     };
+    const Face* faceOf(const QKeyEvent& event) const;
     std::vector<Face> faces_;
     QLabel* remark_;
     bool following_ = false; ///< shows the tool's text: nothing was typed

@@ -18,6 +18,7 @@ namespace ui {
 namespace {
 
 constexpr QSize usualSize(384, 216);
+constexpr int rest = 60; // milliseconds without a change of size
 
 } // namespace
 
@@ -26,6 +27,9 @@ PagePicture::PagePicture(QWidget* parent) : QWidget(parent)
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
+    later_.setSingleShot(true);
+    later_.setInterval(rest);
+    connect(&later_, &QTimer::timeout, this, &PagePicture::start);
     connect(&watcher_, &QFutureWatcherBase::resultReadyAt, this, [this](int i) {
         picture_ = watcher_.resultAt(i);
         update();
@@ -43,9 +47,10 @@ void PagePicture::show(const QString& sample)
     if (found == all.end() || sample_ == sample)
         return;
     sample_ = sample;
+    picture_ = {};
     file_ = found->file;
     setAccessibleName(Text::tr("Picture: %1, with a clip window").arg(found->title));
-    start();
+    later_.start();
 }
 
 /// Paints the picture in the widget's size.
@@ -76,7 +81,7 @@ QSize PagePicture::sizeHint() const { return usualSize; }
 void PagePicture::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    start();
+    later_.start();
 }
 
 void PagePicture::paintEvent(QPaintEvent*)

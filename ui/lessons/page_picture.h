@@ -3,6 +3,7 @@
 
 #include <QFutureWatcher>
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 
 namespace ui {
@@ -30,6 +31,7 @@ private:
 
     QString sample_, file_;
     QImage picture_;
+    QTimer later_;
     QFutureWatcher<QImage> watcher_;
 };
 

@@ -102,6 +102,7 @@ private:
     std::optional<std::size_t> object_; ///< that is edited; empty: a new text
     app::TextRecipe before_;            ///< the text of that object
     std::size_t changes_ = 0;           ///< of text, font and size
+    app::FontFace wantedFace_{};        ///< the text has of it what its font has
     bool goesBack_ = false;             ///< to the tool Select when the text is finished
 };
 
@@ -112,7 +113,8 @@ void TextTool::begin(const app::Point& at, const Workbench& bench)
     const QString font =
         app::hasFont(bench.keptFont) ? bench.keptFont : app::strokeFonts().front().name;
     text_ = app::TextRecipe{{}, font, size, at};
-    text_->face = app::faceOf(font, bench.keptFace);
+    wantedFace_ = bench.keptFace;
+    text_->face = app::faceOf(font, wantedFace_);
     object_.reset();
     layOut();
 }
@@ -126,7 +128,7 @@ void TextTool::edit(std::size_t object, Workbench& bench)
     before_ = std::get<app::TextRecipe>(
         app::Recipe(bench.session.now().objects()[object].particulars().recipe));
     text_ = before_;
-    bench.keptFace = before_.face;
+    wantedFace_ = before_.face;
     object_ = object;
     layOut();
     // They stay as they are until the text changes, even if the font is another one by now.
@@ -214,14 +216,15 @@ void TextTool::typeText(const app::TextRecipe& text, Workbench& bench)
         text_->font = text.font;
     else if (!app::hasFont(text_->font))
         text_->font = app::fontInsteadOf(text_->font);
-    if (text.face != text_->face)
-        bench.keptFace = text.face;
-    text_->face = app::faceOf(text_->font, bench.keptFace);
+    // A font that lacks the face does not forget it.
+    wantedFace_ = text.face == text_->face ? wantedFace_ : text.face;
+    text_->face = app::faceOf(text_->font, wantedFace_);
     text_->text = text.text.left(app::longestText);
     if (text.size > 0)
         text_->size = text.size;
     layOut();
     bench.keptFont = text_->font;
+    bench.keptFace = wantedFace_;
     bench.kept[keptText] = {text_->size * bench.session.now().page().millimetresPerUnit()};
 }
 

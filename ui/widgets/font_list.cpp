@@ -28,7 +28,8 @@ public:
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
-        return {QStyledItemDelegate::sizeHint(option, index).width(), space::rowHeight};
+        (void)option, (void)index; // asking each font for its width would load it
+        return {popupWidth, space::rowHeight};
     }
 
 protected:

@@ -38,13 +38,16 @@ public:
         return form_ == fitting(situation) && (form_ != Form::Stacked || neededTabs() == tabs_);
     }
 
+    /// Whether some of the panels that are not folded must share a place as tabs.
+    bool needsTabs() const { return neededTabs() > 0; }
+    QList<Dock*> unfolded() const; ///< the stacked panels that have more than their heading
+
     /// Places the panels in the fitting form. Closed comparison panels stay closed.
     void place(const Situation& situation);
     /// Gives the panels of fixed height what they need; the others share the rest.
     void shareHeight();
 
 private:
-    QList<Dock*> unfolded() const; ///< the stacked panels that have more than their heading
     int neededTabs() const;
     void addDocks();
     void raiseDocks(const Situation& situation);

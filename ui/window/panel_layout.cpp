@@ -121,28 +121,66 @@ QStringList PanelLayout::folded() const
     return QSettings().value(foldsKey(*workspace_), workspace_->folds).toStringList();
 }
 
-/// What the settings name is folded only if it folds. Beside Start all panels are tabs.
+/// What the settings name is folded only if it folds. Beside Start all panels are tabs. A
+/// comparison panel that is the workspace's subject does not fold.
 void PanelLayout::showFolds()
 {
     const QStringList folded = this->folded();
+    yielding_.clear();
     for (Dock* dock : docks_.all()) {
         const QString key = dock->objectName();
-        dock->setFoldable(workspace_->folds.contains(key));
+        const bool isNarrow = docks_.narrow.contains(dock) && workspace_->column.contains(key);
+        dock->setFoldable(isNarrow || workspace_->folds.contains(key));
         dock->setFolded(!starting_ && dock->isFoldable() && folded.contains(key));
     }
 }
 
+/// Folds others, the lowest first, until the panel that was unfolded fits.
+void PanelLayout::makeRoom(const Dock& opened)
+{
+    QList<Dock*> others = arrangement_.unfolded();
+    while (arrangement_.needsTabs() && !others.isEmpty()) {
+        Dock* const lowest = others.takeLast();
+        if (lowest == &opened || !lowest->isFoldable())
+            continue;
+        lowest->setFolded(true);
+        yielding_ << lowest;
+    }
+}
+
+/// Unfolds what had made room, if there is room now.
+void PanelLayout::takeBackRoom()
+{
+    for (Dock* const dock : std::exchange(yielding_, {})) {
+        dock->setFolded(false);
+        if (!arrangement_.needsTabs())
+            continue;
+        dock->setFolded(true);
+        yielding_ << dock;
+    }
+}
+
+void PanelLayout::saveFolds()
+{
+    QStringList folded;
+    for (const Dock* dock : docks_.all())
+        if (dock->isFoldable() && dock->isFolded())
+            folded << dock->objectName();
+    QSettings().setValue(foldsKey(*workspace_), folded);
+}
+
 void PanelLayout::fold(Dock& dock, bool folded)
 {
-    QStringList now = this->folded();
-    now.removeAll(dock.objectName());
-    if (folded)
-        now << dock.objectName();
-    QSettings().setValue(foldsKey(*workspace_), now);
+    if (folded && arrangement_.unfolded() == QList{&dock})
+        return; // one stays open
     const bool focused = dock.hasFocusInHeading();
     const auto quiet = own_.byProgram();
-    window_.layout()->setEnabled(false); // the window would grow at once, where others become tabs
+    window_.layout()->setEnabled(false); // the window would grow at once
     dock.setFolded(folded);
+    yielding_.removeAll(&dock);
+    if (!hidden() && !own_.exists() && !starting_)
+        folded ? takeBackRoom() : makeRoom(dock);
+    saveFolds();
     const bool fits = arrangement_.fits(situation());
     window_.layout()->setEnabled(true);
     if (hidden() || own_.exists())

@@ -64,6 +64,9 @@ private:
     void showWide();
     void fold(Dock& dock, bool folded);
     void showFolds();
+    void makeRoom(const Dock& opened);
+    void takeBackRoom();
+    void saveFolds();
     QStringList folded() const; ///< in the workspace
     void defer(std::function<void()> action) { deferred_.push_back(std::move(action)); }
 
@@ -77,6 +80,7 @@ private:
     QList<Dock*> openWide_; ///< the visible comparison panels, the newest last
     const Workspace* workspace_;
     bool starting_ = false; ///< Start is wanted in front
+    QList<Dock*> yielding_; ///< folded to make room for one that was unfolded, the last one last
 };
 
 } // namespace ui

@@ -17,6 +17,12 @@ void connectStart(StartPanel& start, PanelLayout& layout, MainWindow& window)
         window.choose(findWorkspace("workspace-draw"));
         window.canvas().setTool("line");
     });
+    // The button that was clicked goes: keys are for the drawing at once.
+    const auto draw = [&window] { window.canvas().setFocus(); };
+    for (const auto wanted : {&StartPanel::drawWanted, &StartPanel::openWanted})
+        QObject::connect(&start, wanted, &window, draw, Qt::QueuedConnection);
+    QObject::connect(&start, &StartPanel::fileWanted, &window, draw, Qt::QueuedConnection);
+    QObject::connect(&start, &StartPanel::sampleWanted, &window, draw, Qt::QueuedConnection);
     QObject::connect(&start, &StartPanel::openWanted, &files, qOverload<>(&Files::open));
     QObject::connect(&start, &StartPanel::fileWanted, &files,
                      qOverload<const QString&>(&Files::open));

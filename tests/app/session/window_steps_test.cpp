@@ -236,25 +236,26 @@ private slots:
         }
         QCOMPARE(resultOf(session.now().windows()), "Rectangle 6"); // the last one replaces
     }
-    void theFirstWindowOnlyAdds()
+    void theFirstWindowHasNoneToIntersectOrReplace()
     {
         Asked session({{.name = "a", .shape = box}, {.name = "b", .shape = other}});
         for (const WindowOperationInfo& each : windowOperations()) {
             session.refusals.clear();
             setWindowOperation(session, 0, each.operation);
-            const bool adds = each.operation == WindowOperation::Add;
+            const bool can = each.operation == WindowOperation::Add
+                             || each.operation == WindowOperation::CutOut; // of everything
             QCOMPARE(session.refusals.value(0).value(0).toString(),
-                     adds ? "" : "a is the first window, so it can only add.");
-            QCOMPARE(session.list()[0].operation, WindowOperation::Add);
+                     can ? "" : "No clip window is above a.");
+            QCOMPARE(session.list()[0].operation == each.operation, can);
             setWindowOperation(session, 1, each.operation);
             QCOMPARE(session.list()[1].operation, each.operation);
         }
-        QCOMPARE(session.history.undoText(), "Replace by b");
+        QCOMPARE(session.history.undoText(), "Replace with b");
         session.chooseWindow(1);
         reorderWindow(session, 1, 0); // it stays what it is, and can be made to add
         QCOMPARE(whyNot(session.windows(), 0, WindowOperation::Replace), "");
         setWindowOperation(session, 0, WindowOperation::Add);
-        QCOMPARE(resultOf(session.windows()), "b + a");
+        QCOMPARE(resultOf(session.windows()), QString::fromUtf8("b − a"));
     }
     void onlyWindowsWithAnEffectAreCompared()
     {

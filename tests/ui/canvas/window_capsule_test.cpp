@@ -263,23 +263,24 @@ private slots:
         stage.clickPart("capsule-keep", 1);
         QCOMPARE(stage.session.windows().keep, app::Keep::Outside);
     }
-    void theFirstWindowOnlyAdds()
+    void theFirstWindowHasNoneToIntersectOrReplace()
     {
         CapsuleStage stage;
         QSignalSpy refused(&stage.session, &app::Session::refused);
-        const QString why = "Rectangle is the first window, so it can only add.";
+        const QString why = "No clip window is above Rectangle.";
         const auto buttons = stage.part<QWidget>("capsule-operation").findChildren<QToolButton*>();
         const auto entries = stage.part<QToolButton>("capsule-operations").menu()->actions();
         for (const app::WindowOperationInfo& each : app::windowOperations()) {
-            const bool adds = each.operation == app::WindowOperation::Add;
-            QCOMPARE(buttons[int(each.operation)]->isEnabled(), adds);
-            QCOMPARE(buttons[int(each.operation)]->toolTip() == why, !adds);
-            QCOMPARE(entries[int(each.operation)]->isEnabled(), adds);
+            const bool can = each.operation == app::WindowOperation::Add
+                             || each.operation == app::WindowOperation::CutOut;
+            QCOMPARE(buttons[int(each.operation)]->isEnabled(), can);
+            QCOMPARE(buttons[int(each.operation)]->toolTip() == why, !can);
+            QCOMPARE(entries[int(each.operation)]->isEnabled(), can);
             QTest::keyClick(&stage.surface(), each.letter[0].toLatin1());
         }
-        QCOMPARE(refused.size(), int(app::windowOperations().size()) - 1);
+        QCOMPARE(refused.size(), int(app::windowOperations().size()) - 2);
         QCOMPARE(refused[0][0].toString(), why);
-        QCOMPARE(stage.window().operation, app::WindowOperation::Add);
+        QCOMPARE(stage.window().operation, app::WindowOperation::CutOut);
         stage.addAbove();
         for (const QToolButton* button : buttons)
             QVERIFY(button->isEnabled() && button->toolTip() != why);

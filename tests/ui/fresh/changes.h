@@ -76,6 +76,7 @@ inline void openFull(Desk& desk)
     while (desk.session.now().objects().size() < 5 || !desk.session.windowNumber());
     desk.session.select({0, 1});
     desk.session.course.begin(0);
+    desk.session.course.showAnswer(); // until then the steps are covered
     desk.sheets.open();
 }
 

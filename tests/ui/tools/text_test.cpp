@@ -333,6 +333,8 @@ private slots:
             return static_cast<QToolButton*>(nullptr);
         };
         QVERIFY(!face("Bold")->isVisible() && !face("Italic")->isVisible()); // single strokes
+        Hand::key(Qt::Key_I, Qt::ControlModifier); // elsewhere it inverts the selection
+        QVERIFY(hand.session.selection().empty() && hand.field().hasFocus());
         hand.fonts().setCurrentIndex(hand.fonts().findData("DejaVu Sans"));
         QVERIFY(face("Bold")->isVisible() && !face("Italic")->isVisible());
         Hand::key(Qt::Key_I, Qt::ControlModifier);

@@ -92,7 +92,34 @@ private slots:
         QTRY_COMPARE(algorithm.height(), algorithm.titleBarWidget()->height());
         plain.layout->raise("algorithm"); // somebody asks for it
         QVERIFY(!algorithm.isFolded());
-        QVERIFY(chevron(plain.dock("layers")).isHidden()); // it does not fold
+    }
+    void oneSectionStaysOpen()
+    {
+        PlainWindow plain;
+        plain.show();
+        for (const char* key : {"window", "layers"}) {
+            QVERIFY(!plain.dock(key).isFolded());
+            chevron(plain.dock(key)).click();
+        }
+        QVERIFY(plain.dock("window").isFolded() && !plain.dock("layers").isFolded());
+        plain.layout->choose(findWorkspace("workspace-compare"));
+        QVERIFY(chevron(plain.dock("compare")).isHidden()); // the workspace's subject
+    }
+    void anUnfoldedSectionMakesOthersFoldUntilItIsFoldedAgain()
+    {
+        PlainWindow plain;
+        plain.show();
+        const Dock &algorithm = plain.dock("algorithm"), &layers = plain.dock("layers");
+        PlainWindow::panel(algorithm).least = 700;
+        chevron(algorithm).click();
+        QVERIFY(!algorithm.isFolded() && layers.isFolded());
+        QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("algorithm")).empty());
+        chevron(algorithm).click();
+        QVERIFY(algorithm.isFolded() && !layers.isFolded());
+        chevron(algorithm).click();
+        plain.layout->choose(findWorkspace("workspace-draw"));
+        plain.layout->choose(findWorkspace("workspace-cut"));
+        QVERIFY(!algorithm.isFolded() && layers.isFolded()); // it is remembered
     }
     void keysFoldAndUnfoldAndKeepTheFocus()
     {
@@ -110,10 +137,10 @@ private slots:
             QCOMPARE(edges.isFolded(), folded);
             QVERIFY(edges.hasFocusInHeading());
         }
-        PlainWindow::panel(edges).least = 700; // others become tabs
+        PlainWindow::panel(edges).least = 700; // others fold
         QTest::keyClick(&heading, Qt::Key_Right);
-        QVERIFY(!edges.isFolded());
-        QVERIFY(!plain.window.tabifiedDockWidgets(&edges).empty());
+        QVERIFY(!edges.isFolded() && edges.hasFocusInHeading());
+        QVERIFY(plain.window.tabifiedDockWidgets(&edges).empty());
     }
     void aFoldIsRememberedForItsWorkspace()
     {
@@ -128,7 +155,7 @@ private slots:
         QCOMPARE(QSettings().value("folds/workspace-compare").toStringList(),
                  QStringList("difference")); // at once
         plain.layout->choose(findWorkspace("workspace-cut"));
-        QVERIFY(!panel.isFolded() && chevron(panel).isHidden());
+        QVERIFY(!panel.isFolded());
         plain.layout->choose(compare);
         QVERIFY(!panel.isFolded());
         plain.layout->reset();

@@ -85,6 +85,9 @@ private slots:
         emit t.window->findChild<StartPanel*>()->drawWanted();
         QCOMPARE(&t.window->workspace(), &findWorkspace("workspace-draw"));
         QCOMPARE(t.window->canvas().tool(), "line");
+        QTRY_VERIFY(t.drawingArea()->hasFocus());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_R);
+        QCOMPARE(t.window->canvas().tool(), "rectangle");
     }
     void aFoldedSectionIsOneLine_data()
     {
