@@ -66,17 +66,26 @@ void TracedWindow::putInto(TracedLine& tracedLine) const
 
 QString TracedWindow::remark() const
 {
+    const auto nameOr = [](const QString& name) {
+        return name.isEmpty() ? Text::tr("the selected window") : name;
+    };
+    QStringList said;
+    if (among && !notAt)
+        said << Text::tr("at %1 alone, of %2 clip windows")
+                    .arg(nameOr(among->first))
+                    .arg(among->second);
     if (frame.angle != 0) // y grows down, and the angle from x towards y
-        return Text::tr("in the directions of a window rotated by %1°")
-            .arg(numberText(-glm::degrees(frame.angle), 1));
-    if (!notAt)
-        return {};
-    const QString name = notAt->isEmpty() ? Text::tr("the selected window") : *notAt;
-    return isPage ? Text::tr("at the page, as %1 is not convex").arg(name)
-                  : Text::tr("at another window, as %1 is not convex").arg(name);
+        said << Text::tr("in the directions of a window rotated by %1°")
+                    .arg(numberText(-glm::degrees(frame.angle), 1));
+    else if (notAt)
+        said << (isPage ? Text::tr("at the page, as %1 is not convex")
+                        : Text::tr("at another window, as %1 is not convex"))
+                    .arg(nameOr(*notAt));
+    return said.join(QStringLiteral(", "));
 }
 
-TracedWindow tracedWindow(const Session& session)
+/// At whichever windows there are.
+static TracedWindow windowToTrace(const Session& session)
 {
     const ComparedWindow& usual = session.compared();
     TracedWindow traced{{usual.window}, usual.isPage};
@@ -89,6 +98,16 @@ TracedWindow tracedWindow(const Session& session)
     if (const auto* step = stepInHand(session); step && !step->polygon.corners.empty())
         return {.frame = {step->box}, .corners = step->polygon.corners};
     traced.notAt = inHand.name;
+    return traced;
+}
+
+TracedWindow tracedWindow(const Session& session)
+{
+    TracedWindow traced = windowToTrace(session);
+    const auto number = session.windowNumber();
+    const std::size_t windows = session.region().steps.size();
+    if (number && windows > 1)
+        traced.among = {session.windows().list[*number].name, windows};
     return traced;
 }
 

@@ -32,11 +32,15 @@ struct TracedWindow {
     std::vector<Point> corners{};
     /// The name of the window in hand if it has another shape, so that a rectangle is used.
     std::optional<QString> notAt{};
+    /// Of several windows that have an effect: its name and how many there are. Empty: it is the
+    /// only one.
+    std::optional<std::pair<QString, std::size_t>> among{};
 
     clipping::Segment into(const clipping::Segment& line) const;
     /// Moves a traced line to this window; its line stays the same.
     void putInto(TracedLine& tracedLine) const;
-    /// Says which window it is, to follow "Line 217 of 420"; empty for one along the axes.
+    /// Says which window it is, to follow "Line 217 of 420", and that it is one of several; empty
+    /// for the only one, along the axes.
     QString remark() const;
 };
 TracedWindow tracedWindow(const Session& session);

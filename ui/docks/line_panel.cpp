@@ -4,6 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/comparison/line_class.h"
+#include "app/session/window_in_hand.h"
 #include "app/view/ruler.h"
 #include "ui/look/key_tip.h"
 #include "ui/look/look.h"
@@ -175,8 +176,11 @@ void LinePanel::showLine(const app::Inspection& line)
     put(Cost, Name, Text::tr("Cost"));
     cost_->setText(line.variant.misprint ? Text::tr("not counted") : app::costText(line.cost));
     steps_->setPlainText(app::stepTexts(line, unit, page).join(u'\n'));
+    // With several windows it says at which one.
+    const QString at = app::tracedWindow(session_).remark();
+    const QString in = Text::tr("in %1").arg(layer);
     emit titled(Text::tr("Line %1").arg(app::countText(line.number + 1)),
-                Text::tr("in %1").arg(layer));
+                at.isEmpty() ? in : Text::tr("%1, %2").arg(in, at));
 }
 
 QLabel* LinePanel::cell(int row, int column)

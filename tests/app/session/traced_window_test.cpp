@@ -79,7 +79,8 @@ private slots:
         QVERIFY(
             tracedLineOf(session, 0).origin.endsWith(", at another window, as Star is not convex"));
         session.chooseWindow(1);
-        QCOMPARE(tracedLineOf(session, 0).origin, "Line 1 of 3,000");
+        QCOMPARE(tracedLineOf(session, 0).origin,
+                 "Line 1 of 3,000, at the selected window alone, of 2 clip windows");
     }
     void aConvexPolygonIsTracedWhereItLies()
     {
