@@ -164,9 +164,11 @@ void addTies(Statements& all, std::span<const RaceRow> rows, const Ranking& rank
         const QString names = briefListText(namesOf(group, rows));
         if (group.size() < 2)
             continue;
+        const QString from = shortTimeText(rows[group.front()].summary().median),
+                      to = shortTimeText(rows[group.back()].summary().median);
         if (told.isEmpty())
-            told << Text::tr("%1 tie at about %2.")
-                        .arg(names, shortTimeText(rows[group.front()].summary().median))
+            told << (from == to ? Text::tr("%1 tie at about %2.").arg(names, from)
+                                : Text::tr("%1 tie at %2 to %3.").arg(names, from, to))
                  << Text::tr(
                         "No test finds 1 % or more between them, so their order says nothing.");
         else if (told.size() <= mostTold)
@@ -178,7 +180,10 @@ void addTies(Statements& all, std::span<const RaceRow> rows, const Ranking& rank
         told << Text::tr("No two of these times tie.");
     if (more > 0)
         told << counted(more, Text::tr("1 more group ties."), Text::tr("%1 more groups tie."));
-    if (ranking.hasFastest() && rows.size() > 1)
+    // The test for the fastest is another one: a form that ties is not called the fastest.
+    const auto ties = [&](std::size_t number) { return ranking.groups[number].size() > 1; };
+    if (ranking.hasFastest() && rows.size() > 1
+        && std::ranges::none_of(ranking.groupsOf(ranking.order.front()), ties))
         told << Text::tr("%1 is fastest here.").arg(namesOf({ranking.order.front()}, rows).front());
     const QString first = told.takeFirst();
     all.push_back({Kind::Ties, first, told.join(u' ')});
