@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/text.h"
 #include "ui/menus/menu_rows.h"
+#include "ui/menus/next_part.h"
 #include "ui/window/main_window.h"
 
 namespace ui {
@@ -29,13 +30,6 @@ void showAllPanes(MainWindow& window)
 }
 
 bool severalPanes(const MainWindow& window) { return window.canvas().panes().size() > 1; }
-
-void activatePane(MainWindow& window, std::size_t by)
-{
-    const app::Panes& panes = window.canvas().panes();
-    window.canvas().activatePane((panes.active() + by) % panes.size());
-    window.canvas().setFocus();
-}
 
 void closePane(MainWindow& window)
 {
@@ -85,17 +79,15 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "next-pane",
-            .text = Text::tr("&Next pane"),
+            .text = Text::tr("&Next pane, bar or panel"),
             .keys = {QKeySequence("F6")},
-            .run = [](MainWindow& w) { activatePane(w, 1); },
-            .enabled = severalPanes,
+            .run = [](MainWindow& w) { goToNextPart(w, 1); },
         },
         {
             .key = "previous-pane",
-            .text = Text::tr("&Previous pane"),
+            .text = Text::tr("&Previous pane, bar or panel"),
             .keys = {QKeySequence("Shift+F6")},
-            .run = [](MainWindow& w) { activatePane(w, w.canvas().panes().size() - 1); },
-            .enabled = severalPanes,
+            .run = [](MainWindow& w) { goToNextPart(w, -1); },
         },
         {
             .key = "close-pane",
