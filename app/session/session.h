@@ -46,12 +46,6 @@ struct Pen {
     ContainerId layer = 0; ///< Session ensures that it is one of the document's layers
 };
 
-/// What the tool Clip window draws next: not part of the document.
-struct WindowPen {
-    std::string_view kind = "rectangle";              ///< key of the shape (window_kinds.h)
-    WindowOperation operation = WindowOperation::Add; ///< of the new window
-};
-
 /// How commands on the selection work: not part of the document.
 struct ArrangeOptions {
     StrokeScaling strokes = StrokeScaling::Keep; ///< when objects are scaled
@@ -86,7 +80,8 @@ public:
     EnteredGroup entered{*this};                  ///< the group that is being edited, if any
     Pivot pivot{*this};                           ///< of the selection
     Pen pen;
-    WindowPen windowPen;                ///< setWindowPen() changes it
+    /// The shape that the tool Clip window draws next (window_kinds.h); setNextWindow() changes it.
+    std::string_view nextWindow = "rectangle";
     std::optional<std::size_t> guide{}; ///< the number of the chosen guide, which may be gone
     ArrangeOptions arrange;
     bool worksInDraw = false; ///< whether the workspace is Draw

@@ -60,9 +60,9 @@ void setWindowShape(Session& session, const WindowShape& shape, const QString& t
         addWindows(session, {{.shape = shape}}, text);
 }
 
-void setWindowPen(Session& session, const WindowPen& pen)
+void setNextWindow(Session& session, std::string_view kind)
 {
-    session.windowPen = pen;
+    session.nextWindow = kind;
     emit session.displayChanged(); // bars and tools show it
 }
 
@@ -71,22 +71,13 @@ DrawnWindow withDrawn(const Session& session, const WindowShape& shape)
 {
     ClipWindows windows = session.now().windows();
     const std::size_t number = windows.list.size();
-    windows.list.push_back({.name = numberedName(shape, numberForNew(windows)),
-                            .shape = shape,
-                            .operation = session.windowPen.operation});
+    windows.list.push_back({.name = numberedName(shape, numberForNew(windows)), .shape = shape});
     return {std::move(windows), number};
-}
-
-WindowPen penAfter(WindowPen pen)
-{
-    pen.operation = WindowOperation::Add;
-    return pen;
 }
 
 void drawWindow(Session& session, const WindowShape& shape)
 {
-    if (addWindow(session, {.shape = shape, .operation = session.windowPen.operation}))
-        setWindowPen(session, penAfter(session.windowPen));
+    addWindow(session, {.shape = shape});
 }
 
 bool chooseNeighbour(Session& session, int step)
@@ -203,14 +194,9 @@ std::vector<ClipWindow> windowsOfSelection(const Session& session)
     return windows;
 }
 
-void addWindowsOfSelection(Session& session, WindowOperation operation)
+void addWindowsOfSelection(Session& session)
 {
     auto made = windowsOfSelection(session);
-    for (ClipWindow& window : made) {
-        window.operation = operation;
-        if (operation == WindowOperation::Replace)
-            operation = WindowOperation::Add; // or each would replace the one before it
-    }
     const std::size_t all = session.selection().size(), count = made.size();
     if (made.empty()) {
         emit session.refused(

@@ -17,17 +17,15 @@ ClipWindows withShape(const Session& session, const WindowShape& shape);
 /// Gives the window this shape; without one, adds a window.
 void setWindowShape(Session& session, const WindowShape& shape, const QString& text,
                     Merging merging = Merging::Never);
-/// What is drawn next, and what it does.
-void setWindowPen(Session& session, const WindowPen& pen);
-/// The windows after a window of this shape was drawn with the session's pen, and its number.
+/// The key of the shape that is drawn next; it outlives the session.
+void setNextWindow(Session& session, std::string_view kind);
+/// The windows after a window of this shape was drawn, and its number.
 struct DrawnWindow {
     ClipWindows windows;
     std::size_t number;
 };
 DrawnWindow withDrawn(const Session& session, const WindowShape& shape);
-/// The pen after a window was drawn with it: the next one adds.
-WindowPen penAfter(WindowPen pen);
-/// Draws it, and chooses it; then the pen is `penAfter`. Refused if there is no room for it.
+/// Draws it, and chooses it. Refused if there is no room for it.
 void drawWindow(Session& session, const WindowShape& shape);
 
 /// Chooses the next visible window of the list (`step` 1), or the previous one (-1); after the last
@@ -54,7 +52,7 @@ void setWindowOperation(Session& session, std::size_t number, WindowOperation op
 /// One clip window for each selected object that encloses an area. Open paths are closed.
 std::vector<ClipWindow> windowsOfSelection(const Session& session);
 /// Adds them in one step. `Session::refused` says how many objects were left out, and why.
-void addWindowsOfSelection(Session& session, WindowOperation operation = WindowOperation::Add);
+void addWindowsOfSelection(Session& session);
 /// Adds the window's shape as an object of the current layer, in the pen's style, and selects it.
 void windowToPath(Session& session);
 

@@ -355,7 +355,7 @@ void OptionBar::follow()
     std::vector<bool> now;
     for (const Group& group : groups_)
         now.push_back(group.offered());
-    const QString named = tool_->text() + app::latin(session_.windowPen.kind); // its options
+    const QString named = tool_->text() + app::latin(session_.nextWindow); // its options
     if (std::exchange(shown_, now) != now || std::exchange(named_, named) != named)
         fitInto(width());
 }

@@ -61,7 +61,7 @@ ShapeOptions::ShapeOptions(app::Session& session, Canvas& canvas)
 bool ShapeOptions::offers(const Option& option) const
 {
     const bool isWindow = canvas_.tool() == "window";
-    return option.shape == (isWindow ? session_.windowPen.kind : canvas_.tool())
+    return option.shape == (isWindow ? session_.nextWindow : canvas_.tool())
            && (!isWindow || option.ofWindows);
 }
 

@@ -11,8 +11,8 @@ namespace ui {
 class Canvas;
 class Segments;
 
-/// The options of the tool Clip window: the shape of the next window, what it does, and windows of
-/// selected objects.
+/// The options of the tool Clip window: the shape of the next window, and windows of selected
+/// objects.
 class WindowOptions : public QWidget {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ private:
     void followSelection();
 
     app::Session& session_;
-    Segments *shape_, *use_;
+    Segments* shape_;
     QToolButton* fromSelection_;
 };
 

@@ -10,8 +10,8 @@ namespace ui {
 namespace {
 
 /// Draws and edits clip windows: a drag inside a window chooses and moves it, a handle of the
-/// chosen one resizes or rotates it, anything else draws a window. One that does not just add
-/// may begin inside another.
+/// chosen one resizes or rotates it, anything else draws a window. With Alt it may begin inside
+/// another.
 class WindowTool final : public Tool,
                          public TakesKeys,
                          public HasSteps,
@@ -56,11 +56,8 @@ public:
     }
     void cancel(Workbench& bench) override
     {
-        const bool corrected = corrects();
         if (drawing_)
             drawing_->cancel(bench);
-        if (corrected)
-            app::setWindowPen(bench.session, app::penAfter(drawnWith_));
         forgetDrawn(bench);
         drawing_.reset();
         gesture_.cancel(bench);
@@ -100,7 +97,6 @@ public:
         if (drawing_ || gesture_.going() || !corrigible(bench))
             return;
         drawing_ = std::move(drawn_);
-        app::setWindowPen(bench.session, drawnWith_);
         numbers().reopen(bench);
     }
     bool corrects() const override { return drawing_ && numbers().corrects(); }
@@ -137,10 +133,7 @@ private:
     TypesNumbers& numbers() { return drawing_->as<TypesNumbers>(); }
     const TypesNumbers& numbers() const { return drawing_->as<TypesNumbers>(); }
     /// Whether a window that is drawn may begin inside another.
-    static bool drawsInside(const Workbench& bench)
-    {
-        return bench.session.windowPen.operation != app::WindowOperation::Add;
-    }
+    static bool drawsInside(const Pointer& pointer) { return pointer.modifiers & Qt::AltModifier; }
     static std::optional<std::size_t> windowUnder(const Pointer& pointer, const Workbench& bench)
     {
         return app::windowAt(bench.session.windows(), pointer.raw, bench.inDrawing(reach));
@@ -151,15 +144,15 @@ private:
             return handle;
         const auto& session = bench.session;
         const auto number = session.windowNumber();
-        const bool inside = number && !drawsInside(bench)
+        const bool inside = number && !drawsInside(pointer)
                             && app::isAt(session.windows().list[*number].shape, pointer.raw,
                                          bench.inDrawing(reach));
         return inside ? std::optional(app::Handle{}) : std::nullopt;
     }
     void begin(const Workbench& bench)
     {
-        drawing_ = makeWindowDrawing(app::windowKind(bench.session.windowPen.kind));
-        drawnWith_ = bench.session.windowPen;
+        drawnWith_ = bench.session.nextWindow;
+        drawing_ = makeWindowDrawing(app::windowKind(drawnWith_));
     }
     /// The next gesture may draw another shape; until then numbers change the one that was drawn.
     void forgetDrawn(const Workbench& bench)
@@ -170,20 +163,18 @@ private:
         drawnNumber_ = bench.session.windowNumber();
     }
     /// Whether numbers typed now change the window drawn last, which must be the chosen one. The
-    /// pen must be the same, as the window is drawn again with it.
+    /// shape of the next one must be the same.
     bool corrigible(const Workbench& bench) const
     {
-        const app::WindowPen& pen = bench.session.windowPen;
-        return drawn_ && bench.session.windowNumber() == drawnNumber_ && pen.kind == drawnWith_.kind
-               && pen.operation == app::penAfter(drawnWith_).operation
-               && canCorrect(*drawn_, bench);
+        return drawn_ && bench.session.windowNumber() == drawnNumber_
+               && bench.session.nextWindow == drawnWith_ && canCorrect(*drawn_, bench);
     }
 
     WindowGesture gesture_;
     std::unique_ptr<Tool> drawing_;          ///< null: no window is being drawn
     std::unique_ptr<Tool> drawn_;            ///< what has drawn the last window
     std::optional<std::size_t> drawnNumber_; ///< of the window that it has drawn
-    app::WindowPen drawnWith_;
+    std::string_view drawnWith_;             ///< the key of its shape
     std::optional<app::Handle> hoveredHandle_;
 };
 
@@ -191,14 +182,13 @@ void WindowTool::press(const Pointer& pointer, Workbench& bench)
 {
     if (corrects()) { // a press ends the correction
         drawing_->cancel(bench);
-        app::setWindowPen(bench.session, app::penAfter(drawnWith_));
         forgetDrawn(bench);
     }
     if (!drawing_) {
         hoveredHandle_ = handleUnder(pointer, bench);
         if (hoveredHandle_)
             return gesture_.start(*hoveredHandle_, pointer, bench);
-        if (const auto other = windowUnder(pointer, bench); other && !drawsInside(bench)) {
+        if (const auto other = windowUnder(pointer, bench); other && !drawsInside(pointer)) {
             bench.session.chooseWindow(*other);
             return gesture_.start({}, pointer, bench);
         }
@@ -240,7 +230,7 @@ QCursor WindowTool::cursor(const Workbench& bench) const
 QString WindowTool::hint(const Workbench& bench) const
 {
     const QString now = drawing_ ? drawing_->hint(bench) : QString();
-    const auto& kind = app::windowKind(bench.session.windowPen.kind);
+    const auto& kind = app::windowKind(bench.session.nextWindow);
     return now.isEmpty() ? Text::tr(kind.hint.data()) : now;
 }
 

@@ -193,24 +193,6 @@ private slots:
         QVERIFY(session.refusals[2][0].toString().startsWith("None of the selected objects"));
         QCOMPARE(session.history.count(), 2);
     }
-    void theyDoWhatWasChosenForThem()
-    {
-        for (const WindowOperationInfo& each : windowOperations()) {
-            Asked session({}, {drawn(EllipseRecipe{{9, 9}, {4, 3}}, "pond")});
-            session.select({0});
-            addWindowsOfSelection(session, each.operation);
-            QCOMPARE(session.now().windows().list.back().operation, each.operation);
-        }
-    }
-    void theyReplaceTogether()
-    {
-        Asked session({{.name = "a", .shape = box}},
-                      {drawn(EllipseRecipe{{9, 9}, {4, 3}}, "pond"),
-                       drawn(EllipseRecipe{{19, 9}, {4, 3}}, "lake")});
-        session.select(ObjectRanges(ObjectRange{0, 2}));
-        addWindowsOfSelection(session, WindowOperation::Replace);
-        QCOMPARE(resultOf(session.now().windows()), "pond + lake");
-    }
     void aTextNamesItsWindow()
     {
         Object text = drawn(EllipseRecipe{{9, 9}, {4, 3}}, "text7");
@@ -219,22 +201,15 @@ private slots:
         session.select({0});
         QCOMPARE(windowsOfSelection(session)[0].name, "Old");
     }
-    void aDrawnWindowDoesWhatThePenSays()
+    void aDrawnWindowAdds()
     {
         Asked session({{.name = "a", .shape = box}});
+        const DrawnWindow before = withDrawn(session, other);
         drawWindow(session, other);
+        QVERIFY(session.list() == before.windows.list);
         QCOMPARE(session.list().size(), 2u);
-        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(1));
-        for (const WindowOperationInfo& each : windowOperations()) {
-            setWindowPen(session, {"rectangle", each.operation});
-            const DrawnWindow before = withDrawn(session, box);
-            drawWindow(session, box);
-            QVERIFY(session.list() == before.windows.list);
-            QCOMPARE(session.windowNumber(), std::optional(before.number));
-            QCOMPARE(session.list().back().operation, each.operation);
-            QCOMPARE(session.windowPen.operation, WindowOperation::Add); // a hole is one hole
-        }
-        QCOMPARE(resultOf(session.now().windows()), "Rectangle 6"); // the last one replaces
+        QCOMPARE(session.windowNumber(), std::optional(before.number));
+        QCOMPARE(session.list().back().operation, WindowOperation::Add);
     }
     void theFirstWindowHasNoneToIntersectOrReplace()
     {

@@ -107,7 +107,7 @@ private slots:
         app::Session& session = bar.window->session();
         bar.window->canvas().setTool("window");
         QTRY_VERIFY(!bar.field<QSpinBox>("Points")->isVisible());
-        session.windowPen.kind = "star";
+        session.nextWindow = "star";
         emit session.displayChanged();
         QTRY_VERIFY(bar.field<QSpinBox>("Points")->isVisible());
     }

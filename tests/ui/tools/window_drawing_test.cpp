@@ -156,40 +156,31 @@ private slots:
             return visibleIn(d.session.scene.lines(), d.session.region(), d.session.variant());
         };
         QCOMPARE(visible(), 1u); // the line from (20, 20) to (100, 20)
-        d.choose("window-use", 1);
         d.drag({15, 15}, {85, 30});
+        QTest::keyClick(&d.surface(), '-');
         QCOMPARE(d.list().size(), 2u);
         QCOMPARE(d.list()[1].operation, app::WindowOperation::CutOut);
         QCOMPARE(visible(), 0u);
-        d.choose("window-use", 1);
-        d.drag({50, 40}, {60, 50}); // begins in the hall
+        d.drag({50, 40}, {60, 50}, Qt::AltModifier); // begins in the hall, from its middle
         QCOMPARE(d.list().size(), 3u);
-        d.drag({55, 45}, {65, 50}); // adding again: the hole moves
+        QVERIFY(d.isNearBox(app::boxOf(d.last()), {{40, 30}, {60, 50}}));
+        d.drag({55, 45}, {65, 50}); // without Alt it moves
         QCOMPARE(d.list().size(), 3u);
-        QVERIFY(d.isNearBox(app::boxOf(d.last()), {{60, 45}, {70, 55}}));
+        QVERIFY(d.isNearBox(app::boxOf(d.last()), {{50, 35}, {70, 55}}));
     }
-    // After a window that cuts out the tool adds again; its numbers still change the hole.
-    void numbersChangeTheHoleThatWasDrawn()
+    void whenAltIsLetGoItIsDrawnFromItsCorner()
     {
         Drawer d;
-        const auto* algorithm = d.session.display().variant.algorithm;
-        d.choose("window-use", 1);
-        d.drag({15, 15}, {85, 30});
-        d.type("\n40\t10\n"); // Enter opens the numbers: a digit would choose the algorithm
-        QCOMPARE(d.session.display().variant.algorithm, algorithm);
+        QTest::mousePress(&d.surface(), Qt::LeftButton, Qt::AltModifier, d.at({50, 40}));
+        d.move({55, 45}, Qt::LeftButton, Qt::AltModifier);
+        d.move({60, 50}, Qt::LeftButton);
+        d.release({60, 50});
         QCOMPARE(d.list().size(), 2u);
-        QCOMPARE(d.list()[1].operation, app::WindowOperation::CutOut);
+        QVERIFY(d.isNearBox(app::boxOf(d.last()), {{50, 40}, {60, 50}}));
+        d.type("\n40\t10\n"); // Enter opens the numbers: a digit would choose the algorithm
         const clipping::Window box = app::boxOf(d.last());
         QVERIFY(same(box.max - box.min, {40, 10}));
-        d.drag({100, 20}, {150, 60});
-        QCOMPARE(d.list().back().operation, app::WindowOperation::Add);
-    }
-    void oneThatReplacesCountsAlone()
-    {
-        Drawer d;
-        d.choose("window-use", 3);
-        d.drag({50, 40}, {60, 50}); // begins in the hall
-        QCOMPARE(d.list().size(), 2u);
+        QTest::keyClick(&d.surface(), '=');
         QCOMPARE(d.list()[1].operation, app::WindowOperation::Replace);
         QCOMPARE(d.session.region().steps.size(), 1u);
         d.drag({100, 20}, {150, 60}); // the next one adds
