@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/capsule_place.h"
 
+#include "app/base/text.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,6 +39,22 @@ std::optional<QRectF> placeInRow(double top, const QSizeF& size, const CapsuleRo
 }
 
 } // namespace
+
+std::span<const CapsuleHomeInfo> capsuleHomes()
+{
+    using enum CapsuleHome;
+    static const std::array all{
+        CapsuleHomeInfo{AtObject, "object", Text::tr("At the object")},
+        CapsuleHomeInfo{InBar, "bar", Text::tr("In the options bar")},
+        CapsuleHomeInfo{Off, "off", Text::tr("Off", "the capsule is not shown")}};
+    return all;
+}
+
+CapsuleHome capsuleHomeOf(const QString& key)
+{
+    const auto found = std::ranges::find(capsuleHomes(), key.toStdString(), &CapsuleHomeInfo::key);
+    return found == capsuleHomes().end() ? CapsuleHome::AtObject : found->home;
+}
 
 std::optional<QPointF> capsulePlace(const QSizeF& size, const CapsuleRoom& room)
 {

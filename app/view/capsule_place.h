@@ -3,11 +3,27 @@
 
 #include <QPointF>
 #include <QRectF>
+#include <QString>
 
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace app {
+
+/// Where the controls of what is chosen stand.
+enum class CapsuleHome : std::uint8_t { AtObject, InBar, Off };
+
+struct CapsuleHomeInfo {
+    CapsuleHome home;
+    std::string_view key; ///< in settings and commands
+    QString name;
+};
+/// All of them, in the order of CapsuleHome.
+std::span<const CapsuleHomeInfo> capsuleHomes();
+/// From a saved setting; of any other text: at the object.
+CapsuleHome capsuleHomeOf(const QString& key);
 
 /// The surroundings of a thing on the canvas, beside which its bar of controls is to be placed. All
 /// in logical pixels.

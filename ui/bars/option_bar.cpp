@@ -23,6 +23,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QResizeEvent>
+#include <QScopedValueRollback>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +32,7 @@ namespace ui {
 
 namespace {
 
-constexpr int steps = 6;
+constexpr int steps = 8;
 
 /// Shows the action's first shortcut in its tooltip, also after its text has changed.
 void showKeyInTip(QAction& action)
@@ -61,7 +62,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
       tool_(new QToolButton), stroke_(new StrokeRow(session, canvas, StrokeRow::Frame::Fields)),
       style_(new QToolButton), arranging_(new ArrangeRow(session)),
       stylePopup_(new StylePopup(session, canvas, this)), grid_(new GridChoice(session)),
-      shape_(new ShapeOptions(session, canvas)),
+      shape_(new ShapeOptions(session, canvas)), capsule_(emptyRow()),
       keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
       removed_(new Segments(Text::tr("Removed part"),
                             {Text::tr("Ghosted"), Text::tr("Hidden"), Text::tr("Shown")})),
@@ -76,14 +77,15 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addSeparator();
     addTool();
     connect(arranging_, &ArrangeRow::done, &canvas, [&canvas] { canvas.setFocus(); });
+    addGroup([&] { addWidget(new WindowOptions(session_, canvas_)); },
+             [this] { return has(ToolInfo::Options::Window); });
+    addCapsule();
     addGroup([this] { addStroke(); },
              [this] { return drawsOrRests() || (arranges() && !canvas_.hasWholeCapsule()); });
     addGroup([this] { addStyle(); }, [this] { return drawsOrRests() || arranges(); });
-    addGroup([this] { addWidget(arranging_); }, [this] { return arranges(); });
+    addGroup([this] { addWidget(arranging_); }, [this] { return arranges(); }, 7);
     addGroup([this] { addWidget(nodes_); }, [this] { return has(ToolInfo::Options::Nodes); });
     addGroup([this] { addWidget(view_); }, [this] { return has(ToolInfo::Options::View); });
-    addGroup([&] { addWidget(new WindowOptions(session_, canvas_)); },
-             [this] { return has(ToolInfo::Options::Window); });
     addGroup([this] { addWidget(shape_); }, [this] { return shape_->offersSome(); });
     connect(shape_, &ShapeOptions::refused, this, &OptionBar::refused);
     connect(shape_, &ShapeOptions::taken, this, &OptionBar::taken);
@@ -116,11 +118,32 @@ bool OptionBar::arranges() const
     return has(ToolInfo::Options::Arranging) && !session_.selection().empty();
 }
 
-/// With Select and nothing selected, what is drawn next is in hand.
+/// With Select and nothing chosen, what is drawn next is in hand.
 bool OptionBar::drawsOrRests() const
 {
-    return has(ToolInfo::Options::Stroke)
-           || (has(ToolInfo::Options::Arranging) && session_.selection().empty());
+    return has(ToolInfo::Options::Stroke) || (rests() && !canvas_.hasCapsuleInBar());
+}
+
+bool OptionBar::rests() const
+{
+    return has(ToolInfo::Options::Arranging) && session_.selection().empty();
+}
+
+/// What is chosen has its controls here, if the person wants that.
+void OptionBar::addCapsule()
+{
+    canvas_.setCapsuleBar(*capsule_);
+    const auto shown = [this] { return canvas_.hasCapsuleInBar(); };
+    addGroup([this] { addSeparator(); },
+             [this, shown] { return shown() && has(ToolInfo::Options::Window); });
+    addGroup([this] { addWidget(capsule_); }, shown);
+    addGroup([this] { addSeparator(); }, [this, shown] { return shown() && arranges(); });
+    connect(&canvas_, &Canvas::capsuleBarOutdated, this, [this] {
+        if (fitting_)
+            return;
+        follow();
+        fitInto(width());
+    });
 }
 
 /// Only says what is in hand: the tools are at the side.
@@ -186,7 +209,7 @@ void OptionBar::addClipping()
             addWidget(removed_);
         },
         [this, hasWindows] {
-            return hasWindows() && (drawsOrRests() || has(ToolInfo::Options::Window));
+            return hasWindows() && (drawsOrRests() || rests() || has(ToolInfo::Options::Window));
         },
         3);
     connect(keep_, &Segments::picked, this,
@@ -312,6 +335,7 @@ void OptionBar::resizeEvent(QResizeEvent* event)
 
 void OptionBar::fitInto(int width)
 {
+    const QScopedValueRollback guard(fitting_, true);
     for (int step = 0; step < steps; ++step) {
         arrange(step);
         if (sizeHint().width() <= width)
@@ -329,8 +353,10 @@ void OptionBar::arrange(int step)
     }
     tool_->setToolButtonStyle(step < 2 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     arranging_->showOptions(step < 3);
-    grid_->showSpacing(step < 4);
-    export_->setToolButtonStyle(step < 5 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    canvas_.narrowCapsuleInBar(step >= 4);
+    grid_->showSpacing(step < 5);
+    export_->setToolButtonStyle(step < 6 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    capsule_->layout()->invalidate();
     grid_->layout()->invalidate(); // or the sizes are those of before, until events are handled
     layout()->invalidate();
 }

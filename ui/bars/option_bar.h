@@ -25,10 +25,11 @@ class StylePopup;
 /// is drawn, or nothing is selected: the stroke, and while there is a window the side that is kept
 /// and how the removed part is shown. With selected objects what arranges them; their stroke is in
 /// their capsule. With the tools Nodes and Clip window their options, with Hand and Zoom what fits
-/// the view. Panes if they are offered or there are several. At the right snapping, grid and
-/// export, always at the same place. If it is narrow, it drops captions, then the tool's name, the
-/// removed part and what arranging refers to, the grid's spacing, and last the export button's
-/// text.
+/// the view. What is chosen may have its capsule here. Panes if they are offered or there are
+/// several. At the right snapping, grid and export, always at the same place. If it is narrow, it
+/// drops captions, then the tool's name, the removed part and what arranging refers to, some parts
+/// of the capsule, the grid's spacing, the export button's text, and last what arranges: the menu
+/// has that, too.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -66,6 +67,7 @@ private:
         int until = 99; ///< the step of arrange() at which there is no room for it
     };
     void addTool();
+    void addCapsule();
     void addStroke();
     void addStyle();
     void addClipping();
@@ -77,6 +79,7 @@ private:
     bool has(ToolInfo::Options options) const; ///< the tool in hand
     bool arranges() const;                     ///< the selected objects are in hand
     bool drawsOrRests() const;
+    bool rests() const; ///< nothing is selected, with Select
     void follow();
     void fitInto(int width);
     void arrange(int step);
@@ -90,13 +93,14 @@ private:
     StylePopup* stylePopup_;
     GridChoice* grid_;
     ShapeOptions* shape_;
+    QWidget* capsule_; ///< of what is chosen, if the person wants it here
     Segments *keep_, *removed_, *panes_;
     NodeRow* nodes_;
     QWidget* view_;
     QToolButton* export_;
     std::vector<Group> groups_;
     QList<QAction*> captions_;
-    bool panesOffered_ = false;
+    bool panesOffered_ = false, fitting_ = false;
     std::vector<bool> shown_; ///< of each group: whether it was offered when all was arranged
     QString named_;           ///< and the tool and the shape then
 };

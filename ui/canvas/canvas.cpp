@@ -49,6 +49,7 @@ Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
     for (const Capsule* capsule : parts_->capsules) {
         connect(capsule, &Capsule::refused, this, &Canvas::refused);
         connect(capsule, &Capsule::taken, this, &Canvas::taken);
+        connect(capsule, &Capsule::barOutdated, this, &Canvas::capsuleBarOutdated);
     }
     connect(&session, &app::Session::displayChanged, this, &Canvas::followChoice);
     connect(&session, &app::Session::loaded, this, &Canvas::layOut);
@@ -93,7 +94,7 @@ void Canvas::switchSnapping(bool on) { parts_->controller.held().setSnapping(sna
 bool Canvas::actsOnWindow() const { return parts_->controller.actsOnWindow(); }
 void Canvas::leaveKeysToCommands() { parts_->controller.leaveKeysToCommands(); }
 
-bool Canvas::showsCapsule() const { return parts_->ofWindow.isOn(); }
+app::CapsuleHome Canvas::capsuleHome() const { return parts_->capsuleHome; }
 std::optional<app::Numbers> Canvas::keptNumbers(std::string_view tool) const
 {
     const auto& kept = parts_->controller.bench().kept;
@@ -106,13 +107,46 @@ void Canvas::keepNumbers(std::string_view tool, const app::Numbers& numbers)
 }
 bool Canvas::hasWholeCapsule() const
 {
-    return showsCapsule() && parts_->capsuleForm == Capsule::Form::Whole;
+    return capsuleHome() == app::CapsuleHome::InBar
+           || (capsuleHome() == app::CapsuleHome::AtObject
+               && parts_->capsuleForm == Capsule::Form::Whole);
 }
-void Canvas::switchCapsule(bool on)
+void Canvas::setCapsuleHome(app::CapsuleHome home)
 {
+    parts_->capsuleHome = home;
+    QWidget* bar = home == app::CapsuleHome::InBar ? parts_->capsuleBar : nullptr;
     for (Capsule* capsule : parts_->capsules)
-        capsule->switchOn(on);
+        capsule->setHome(home, bar);
+    layOut(); // its form may be another one
     emit capsuleSwitched();
+}
+void Canvas::setCapsuleBar(QWidget& bar)
+{
+    parts_->capsuleBar = &bar;
+    connect(&bar, &QObject::destroyed, this, [this] { // it would destroy them, too
+        parts_->capsuleBar = nullptr;
+        for (Capsule* capsule : parts_->capsules) {
+            const QSignalBlocker quiet(capsule); // the bar is no longer whole
+            capsule->setHome(app::CapsuleHome::Off, nullptr);
+        }
+    });
+}
+void Canvas::narrowCapsuleInBar(bool narrow)
+{
+    if (capsuleHome() != app::CapsuleHome::InBar)
+        return;
+    const auto form = narrow ? Capsule::Form::Compact : Capsule::Form::Whole;
+    if (std::exchange(parts_->capsuleForm, form) == form)
+        return;
+    for (Capsule* capsule : parts_->capsules) {
+        capsule->setForm(form);
+        capsule->settle();
+    }
+}
+bool Canvas::hasCapsuleInBar() const
+{
+    const QObject* shown = parts_->controller.capsule();
+    return capsuleHome() == app::CapsuleHome::InBar && shown;
 }
 void Canvas::setStrokeControls(QWidget& stroke) { parts_->ofObjects.setStroke(stroke); }
 std::optional<QPoint> Canvas::onDrawing(const QPoint& position) const

@@ -5,6 +5,7 @@
 #include "app/drawing/transformation.h"
 #include "app/session/digits.h"
 #include "app/session/session.h"
+#include "app/view/capsule_place.h"
 #include "app/view/frame_times.h"
 #include "app/view/snapping/snap_to.h"
 #include "app/view/view.h"
@@ -69,13 +70,18 @@ public:
     bool snaps() const; ///< whether snapping is on
     void switchSnapping(bool on);
     bool actsOnWindow() const; ///< whether keys are for the chosen clip window
-    bool showsCapsule() const; ///< whether the chosen clip window has its controls beside it
-    void switchCapsule(bool on);
+    /// Where what is chosen has its controls.
+    app::CapsuleHome capsuleHome() const;
+    void setCapsuleHome(app::CapsuleHome home);
+    /// The row of the options bar for them, which a room above makes.
+    void setCapsuleBar(QWidget& bar);
+    void narrowCapsuleInBar(bool narrow); ///< there is not room for all of its parts
+    bool hasCapsuleInBar() const;         ///< whether some are shown there now
     /// The numbers that a tool keeps for its next object; empty: its usual ones.
     std::optional<app::Numbers> keptNumbers(std::string_view tool) const;
     /// `tool` outlives the canvas: it is a key of a catalogue.
     void keepNumbers(std::string_view tool, const app::Numbers& numbers);
-    /// Whether capsules are on, and the canvas is so wide that all their parts have room.
+    /// Whether capsules are on, and all their parts have room.
     bool hasWholeCapsule() const;
     /// The first controls in the capsule of selected objects, which a room above makes. Once.
     void setStrokeControls(QWidget& stroke);
@@ -120,8 +126,9 @@ signals:
     /// The effect of undo() and redo(), or the object being drawn, has changed.
     void stepsChanged();
     void viewChanged();
-    void snappingChanged(); ///< the kinds, or whether it is on
-    void capsuleSwitched(); ///< on, off, or between whole and fewer parts
+    void snappingChanged();    ///< the kinds, or whether it is on
+    void capsuleSwitched();    ///< its home has changed, or between whole and fewer parts
+    void capsuleBarOutdated(); ///< those in the options bar need more or less room
     /// The menu of the chosen clip window is wanted, its upper right corner at a point of the
     /// screen.
     void windowMenuWanted(const QPoint& corner);

@@ -127,8 +127,7 @@ bool windowKey(const QKeyEvent& event, Controller& controller)
 
 bool capsuleKey(const QKeyEvent& event, Controller& controller)
 {
-    if (!isEnter(event) || !isPlain(event) || controller.gestureGoes()
-        || controller.capsulePlace().isEmpty())
+    if (!isEnter(event) || !isPlain(event) || controller.gestureGoes() || !controller.capsule())
         return false;
     emit controller.capsuleWanted();
     return true;

@@ -155,8 +155,9 @@ void Canvas::layOut()
     parts.controller.navigation().resize(
         {std::max(1, drawing.width()), std::max(1, drawing.height())});
     constexpr int narrow = 640;
-    const auto form =
-        alone && drawing.width() >= narrow ? Capsule::Form::Whole : Capsule::Form::Compact;
+    auto form = alone && drawing.width() >= narrow ? Capsule::Form::Whole : Capsule::Form::Compact;
+    if (parts.capsuleHome == app::CapsuleHome::InBar)
+        form = parts.capsuleForm; // the bar decides
     for (Capsule* capsule : parts.capsules)
         capsule->setSurface(&drawing, form);
     if (std::exchange(parts.capsuleForm, form) != form)

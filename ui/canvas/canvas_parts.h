@@ -36,6 +36,8 @@ struct Canvas::Parts {
     ObjectCapsule ofObjects;
     const std::array<Capsule*, 2> capsules{&ofWindow, &ofObjects};
     Capsule::Form capsuleForm = Capsule::Form::Whole;
+    app::CapsuleHome capsuleHome = app::CapsuleHome::AtObject;
+    QWidget* capsuleBar = nullptr; ///< of the options bar; null: there is none
     bool layingOut = false;
 };
 

@@ -22,14 +22,14 @@ constexpr int deafMilliseconds = 250;  // a click that was meant for the canvas 
 
 } // namespace
 
-Capsule::Capsule(Controller& controller, QWidget* parent) : QFrame(parent), controller_(controller)
+Capsule::Capsule(Controller& controller, QWidget* parent)
+    : QFrame(parent), controller_(controller), canvas_(parent)
 {
     setSpokenRole(*this, QAccessible::ToolBar);
     auto* row = new QHBoxLayout(this);
     row->setSizeConstraint(QLayout::SetFixedSize);
-    const int edge = aroundRing + ringWidth;
-    row->setContentsMargins(edge + besideParts, edge, edge + besideParts, edge);
     row->setSpacing(besideParts);
+    setMargins();
     hide();
     still_.setSingleShot(true);
     still_.setInterval(stillMilliseconds);
@@ -121,10 +121,27 @@ void Capsule::setSurface(QWidget* surface, Form form)
     follow();
 }
 
-void Capsule::switchOn(bool on)
+void Capsule::setHome(app::CapsuleHome home, QWidget* bar)
 {
-    on_ = on;
+    if (hasKeyboard())
+        leave();
+    withdraw();
+    home_ = home;
+    setParent(bar ? bar : canvas_);
+    if (bar)
+        bar->layout()->addWidget(this);
+    setAttribute(Qt::WA_TransparentForMouseEvents, false);
+    setMargins();
+    placedAt_.reset();
     follow();
+}
+
+/// On the canvas it has a ring.
+void Capsule::setMargins()
+{
+    const int edge = isInBar() ? 0 : aroundRing + ringWidth;
+    const int beside = isInBar() ? 0 : edge + besideParts;
+    layout()->setContentsMargins(beside, edge, beside, edge);
 }
 
 void Capsule::settle()
@@ -161,9 +178,11 @@ void Capsule::forget()
 
 bool Capsule::isWanted() const
 {
-    return on_ && surface_ && !still_.isActive() && isFor()
-           && !controller_.session().display().presenting && !controller_.gestureGoes()
-           && !controller_.typing().going();
+    if (home_ == app::CapsuleHome::Off || !surface_ || !isFor()
+        || controller_.session().display().presenting)
+        return false;
+    return isInBar()
+           || (!still_.isActive() && !controller_.gestureGoes() && !controller_.typing().going());
 }
 
 bool Capsule::hasKeyboard() const
@@ -184,13 +203,15 @@ void Capsule::follow()
     if (!isWanted())
         return withdraw();
     showValues();
+    if (isInBar())
+        return showInBar();
     if (isOther || !holds() || !placedAt_)
         place(isOther || !placedAt_);
 }
 
 void Capsule::hideWhileMoving()
 {
-    if (hasKeyboard())
+    if (hasKeyboard() || isInBar())
         return;
     still_.start();
     follow();
@@ -199,9 +220,21 @@ void Capsule::hideWhileMoving()
 void Capsule::withdraw()
 {
     hide();
-    if (controller_.capsulePlace() == place_) // otherwise it is another one's
-        controller_.setCapsulePlace({});
-    place_ = {};
+    if (controller_.capsule() == this)
+        controller_.setCapsule(nullptr, {});
+    if (!std::exchange(inBar_, QSize()).isEmpty())
+        emit barOutdated();
+}
+
+void Capsule::showInBar()
+{
+    show();
+    controller_.setCapsule(this, {});
+    layout()->invalidate(); // or its size is that of before, until events are handled
+    layout()->activate();
+    const QSize room = sizeHint();
+    if (std::exchange(inBar_, room) != room)
+        emit barOutdated();
 }
 
 void Capsule::place(bool isOther)
@@ -230,8 +263,7 @@ void Capsule::place(bool isOther)
     show();
     raise();
     update();
-    place_ = QRectF(*at, size());
-    controller_.setCapsulePlace(place_);
+    controller_.setCapsule(this, QRectF(*at, size()));
 }
 
 /// A click that was meant for what it has just covered still reaches that.
@@ -256,11 +288,13 @@ bool Capsule::eventFilter(QObject* watched, QEvent* event)
 
 void Capsule::wheelEvent(QWheelEvent* event)
 {
+    event->accept();
+    if (isInBar())
+        return; // it is not over the drawing
     QWheelEvent there(surface_->mapFromGlobal(event->globalPosition()), event->globalPosition(),
                       event->pixelDelta(), event->angleDelta(), event->buttons(),
                       event->modifiers(), event->phase(), event->inverted());
     QCoreApplication::sendEvent(surface_, &there);
-    event->accept();
 }
 
 void Capsule::leaveEvent(QEvent*)
@@ -284,6 +318,8 @@ void Capsule::keyPressEvent(QKeyEvent* event)
 
 void Capsule::paintEvent(QPaintEvent*)
 {
+    if (isInBar())
+        return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);

@@ -15,7 +15,8 @@ class LengthField;
 
 /// The own controls of what is chosen, beside it on the canvas. It is hidden during gestures, stays
 /// where it is while it has the keyboard or the pointer, and lets clicks through when it has just
-/// appeared. Derived classes say what it is for, and what it holds.
+/// appeared. In the options bar it is shown during gestures, too. Derived classes say what it is
+/// for, and what it holds.
 class Capsule : public QFrame {
     Q_OBJECT
 
@@ -26,14 +27,17 @@ public:
 
     /// The surface on which it lies; it gets the keyboard back.
     void setSurface(QWidget* surface, Form form);
-    void switchOn(bool on);
-    bool isOn() const { return on_; }
+    /// `bar`: a row in the options bar, where it stands instead; null: on the surface.
+    void setHome(app::CapsuleHome home, QWidget* bar);
+    bool isInBar() const { return home_ == app::CapsuleHome::InBar; }
+    virtual void setForm(Form form) = 0;
     void settle(); ///< shows it at once, if a change of the view has hidden it
 
 signals:
     void menuWanted(const QPoint& corner); ///< of its lower right corner on the screen
     void refused(const QString& sentence); ///< a typed length is not one
     void taken();                          ///< the length is valid again
+    void barOutdated();                    ///< it needs more or less room there
 
 protected:
     /// Whether keys are for what it is for.
@@ -45,7 +49,6 @@ protected:
     virtual app::WindowFrame frame() const = 0; ///< in the drawing, of what it is for
     virtual app::CapsuleRoom room() const = 0;  ///< without `canvas` and `released`
     virtual QColor ringColour() const = 0;
-    virtual void setForm(Form form) = 0;
 
     Controller& controller() const { return controller_; }
     QWidget* surface() const { return surface_; }
@@ -73,12 +76,16 @@ private:
     bool holds() const; ///< it has the keyboard or the pointer
     void hideWhileMoving();
     void withdraw();
+    void setMargins();
+    void showInBar();
     void place(bool isOther); ///< than before
     void beDeaf();
 
     Controller& controller_;
     QWidget* surface_ = nullptr;
-    bool on_ = true, noRoom_ = false;
+    QWidget* canvas_; ///< its parent while it is not in the bar
+    app::CapsuleHome home_ = app::CapsuleHome::AtObject;
+    bool noRoom_ = false;
     std::vector<LengthField*> fields_;
     QTimer still_; ///< runs while the view changes
     QTimer deaf_;  ///< runs while clicks go through it
@@ -86,7 +93,7 @@ private:
     std::optional<QPointF> released_{};
     bool afterGesture_ = false; ///< a gesture has begun since it was placed
     std::optional<app::WindowFrame> placedAt_{};
-    QRectF place_; ///< on the surface; empty: hidden
+    QSize inBar_{}; ///< the room that it has there; empty: none
 };
 
 } // namespace ui

@@ -133,8 +133,9 @@ void Controller::setLook(const Look& look)
     outdate();
 }
 
-void Controller::setCapsulePlace(const QRectF& place)
+void Controller::setCapsule(const QObject* capsule, const QRectF& place)
 {
+    capsule_ = capsule;
     if (std::exchange(capsulePlace_, place) != place)
         emit changed(); // the label with the size is where the capsule is not
 }

@@ -42,9 +42,11 @@ public:
     QColor pageColour() const { return paperLook().paper; }
     /// The current clip window, also during a gesture.
     std::optional<clipping::Window> clipWindow() const { return session().clipWindow(); }
-    /// The controls of what is chosen (capsule.h), in logical pixels; empty: hidden.
+    /// The controls of what is chosen (capsule.h) that are shown; null: none are.
+    const QObject* capsule() const { return capsule_; }
+    /// Where they lie on the drawing, in logical pixels; empty: not there.
     const QRectF& capsulePlace() const { return capsulePlace_; }
-    void setCapsulePlace(const QRectF& place);
+    void setCapsule(const QObject* capsule, const QRectF& place);
     /// Whether keys and the capsule are for the chosen clip window: with the tool Clip window, or
     /// if it was chosen after the selected objects.
     bool actsOnWindow() const;
@@ -90,6 +92,7 @@ private:
     Frames frames_;
     Look look_;
     app::Display shown_; ///< except the algorithm, which each pane has of its own
+    const QObject* capsule_ = nullptr;
     QRectF capsulePlace_;
     bool leavesKeys_ = false;
     std::pair<QString, app::DigitUse> told_{}; ///< the hint and what a digit does

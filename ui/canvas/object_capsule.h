@@ -21,6 +21,8 @@ public:
     /// The controls of the stroke, which come first: a room above makes them.
     void setStroke(QWidget& stroke);
 
+    void setForm(Form form) override;
+
 protected:
     bool isFor() const override;
     bool followSubject() override;
@@ -28,7 +30,6 @@ protected:
     app::WindowFrame frame() const override;
     app::CapsuleRoom room() const override;
     QColor ringColour() const override;
-    void setForm(Form form) override;
 
 private:
     void addNumber(std::string_view key, bool labelled);

@@ -19,6 +19,8 @@ class WindowCapsule : public Capsule {
 public:
     WindowCapsule(Controller& controller, QWidget* parent);
 
+    void setForm(Form form) override;
+
 protected:
     bool isFor() const override;
     bool followSubject() override;
@@ -26,7 +28,6 @@ protected:
     app::WindowFrame frame() const override;
     app::CapsuleRoom room() const override;
     QColor ringColour() const override;
-    void setForm(Form form) override;
 
 private:
     QToolButton* makeOperations();

@@ -48,14 +48,20 @@ Setting darkPaper()
 
 Setting capsule()
 {
-    return {
-        .key = QStringLiteral("capsule-shown"),
-        .text = Text::tr("Capsule at what is chosen"),
-        .tip = Text::tr("The small bar beside a chosen clip window or selected objects"),
-        .value = [](const MainWindow& w) { return int(w.canvas().showsCapsule()); },
-        .set = [](MainWindow& w, int value) { w.canvas().switchCapsule(value); },
-        .standard = [](const MainWindow&) { return 1; },
+    Setting setting{
+        .key = QStringLiteral("capsule"),
+        .text = Text::tr("Capsule"),
+        .tip = Text::tr("The controls of a chosen clip window or of selected objects"),
+        .value = [](const MainWindow& w) { return int(w.canvas().capsuleHome()); },
+        .set =
+            [](MainWindow& w, int value) {
+                w.canvas().setCapsuleHome(app::capsuleHomes()[std::size_t(value)].home);
+            },
+        .standard = [](const MainWindow&) { return int(app::CapsuleHome::AtObject); },
     };
+    for (const app::CapsuleHomeInfo& each : app::capsuleHomes())
+        setting.choices.push_back({QStringLiteral("capsule-") + app::latin(each.key), each.name});
+    return setting;
 }
 
 int numberOf(app::Unit unit)

@@ -102,9 +102,10 @@ void MainWindow::rememberSnapping()
 
 void MainWindow::rememberCapsule()
 {
-    canvas_->switchCapsule(QSettings().value("capsule", true).toBool());
+    canvas_->setCapsuleHome(app::capsuleHomeOf(QSettings().value("capsule").toString()));
     connect(canvas_, &Canvas::capsuleSwitched, this, [this] {
-        QSettings().setValue("capsule", canvas_->showsCapsule());
+        const auto home = std::size_t(canvas_->capsuleHome());
+        QSettings().setValue("capsule", app::latin(app::capsuleHomes()[home].key));
         refreshActions();
     });
 }

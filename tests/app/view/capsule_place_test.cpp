@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the bar of a chosen clip window lies.
+#include "app/base/text.h"
 #include "app/view/capsule_place.h"
 
 #include <QTest>
@@ -25,6 +26,15 @@ class CapsulePlaceTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void itsHomeIsReadFromASetting()
+    {
+        for (const CapsuleHomeInfo& each : capsuleHomes()) {
+            QCOMPARE(&each - capsuleHomes().data(), std::ptrdiff_t(each.home));
+            QCOMPARE(capsuleHomeOf(latin(each.key)), each.home);
+        }
+        for (const char* other : {"", "true", "garbage", "Bar", "2147483647"})
+            QCOMPARE(capsuleHomeOf(other), CapsuleHome::AtObject);
+    }
     void itIsBelowTheMiddle()
     {
         QCOMPARE(capsulePlace(capsule, around({300, 200, 400, 100})), QPointF(300, 313));

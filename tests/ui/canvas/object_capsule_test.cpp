@@ -174,7 +174,7 @@ private slots:
     {
         ObjectStage stage;
         stage.session.select({1});
-        stage.canvas->switchCapsule(false);
+        stage.canvas->setCapsuleHome(app::CapsuleHome::Off);
         QVERIFY(!stage.capsule().isVisible());
         stage.key(Qt::Key_Return); // nothing to go into
         QVERIFY(stage.surface().hasFocus());

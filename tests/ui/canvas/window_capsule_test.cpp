@@ -361,11 +361,11 @@ private slots:
     void itIsSwitchedOff()
     {
         CapsuleStage stage;
-        stage.canvas->switchCapsule(false);
+        stage.canvas->setCapsuleHome(app::CapsuleHome::Off);
         QVERIFY(!stage.capsule().isVisible());
         stage.key(Qt::Key_Return); // nothing to go into
         QVERIFY(stage.surface().hasFocus());
-        stage.canvas->switchCapsule(true);
+        stage.canvas->setCapsuleHome(app::CapsuleHome::AtObject);
         QVERIFY(stage.capsule().isVisible());
     }
     void aWindowOffTheScreenHasNone()

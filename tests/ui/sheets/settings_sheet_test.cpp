@@ -167,12 +167,15 @@ private slots:
         const auto click = [&t](const char* name) {
             t.window->sheet()->findChild<QAbstractButton*>(name)->click();
         };
-        click("setting-capsule-shown");
-        QVERIFY(!t.window->canvas().showsCapsule());
+        const auto homes =
+            t.window->sheet()->findChild<QWidget*>("setting-capsule")->findChildren<QToolButton*>();
+        homes[2]->click();
+        QCOMPARE(t.window->canvas().capsuleHome(), app::CapsuleHome::Off);
         click("setting-snap");
         QVERIFY(!t.window->canvas().snaps());
         click("reset-settings");
-        QVERIFY(t.window->canvas().showsCapsule() && t.window->canvas().snaps());
+        QCOMPARE(t.window->canvas().capsuleHome(), app::CapsuleHome::AtObject);
+        QVERIFY(t.window->canvas().snaps());
         click("done");
         QCOMPARE(t.window->sheet(), nullptr);
     }

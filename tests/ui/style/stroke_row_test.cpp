@@ -47,7 +47,7 @@ private slots:
         QVERIFY(rows.bar().isVisible() && !rows.capsule().isVisible());
         rows.session().select({0});
         QTRY_VERIFY(!rows.bar().isVisible() && rows.capsule().isVisible());
-        rows.window->canvas().switchCapsule(false);
+        rows.window->canvas().setCapsuleHome(app::CapsuleHome::Off);
         QTRY_VERIFY(rows.bar().isVisible() && !rows.capsule().isVisible());
     }
     void eachShowsWhatItIsFor()

@@ -93,7 +93,7 @@ private slots:
     void clickedAndBoxedPathsAreShownAlike()
     {
         Hand hand({shape({corner()})});
-        hand.canvas.switchCapsule(false); // its place depends on the pointer
+        hand.canvas.setCapsuleHome(app::CapsuleHome::Off); // its place depends on the pointer
         hand.click({60, 20});
         const auto clicked = hand.session.inspected();
         hand.canvas.settle();
