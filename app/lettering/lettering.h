@@ -22,6 +22,7 @@ struct Letters {
 
 /// A longer text is not edited, and no file may ask for it.
 constexpr qsizetype longestText = 10'000;
+constexpr double usualTextSize = 5; ///< of a new text, in millimetres on paper
 
 /// A text as paths. The size of the recipe is the height of its capital letters.
 struct Lettering {

@@ -2,14 +2,19 @@
 #include "ui/bars/shape_options.h"
 
 #include "app/drawing/centred_shapes.h"
+#include "app/lettering/lettering.h"
 #include "ui/canvas/canvas.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/elements.h"
+#include "ui/widgets/font_list.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/look_label.h"
+#include "ui/widgets/segments.h"
 
 #include <QHBoxLayout>
+#include <QLineEdit>
+#include <QScopedValueRollback>
 #include <QSignalBlocker>
 #include <QSpinBox>
 
@@ -19,24 +24,27 @@
 namespace ui {
 
 struct ShapeOptions::Option {
-    enum class Kind : std::uint8_t { Count, Percent, Length };
     std::string_view shape; ///< the key of its tool, and of the clip window's shape
     QString name;
     std::size_t number; ///< which of the tool's numbers
-    Kind kind;
+    Field (ShapeOptions::*make)(const Option& option);
     app::Numbers usual;
     bool ofWindows = true; ///< also of clip windows of this shape
 };
 
 std::span<const ShapeOptions::Option> ShapeOptions::options()
 {
-    using enum Option::Kind;
-    // THE CATALOGUE. To add a number that a tool keeps: add its row.
+    using Self = ShapeOptions;
+    // THE CATALOGUE. To add something that a tool keeps: add its row.
     static const std::array all{
-        Option{"polygon", Text::tr("Sides"), 2, Count, app::usualPolygon()},
-        Option{"star", Text::tr("Points"), 2, Count, app::usualStar()},
-        Option{"star", Text::tr("Inner radius"), 3, Percent, app::usualStar()},
-        Option{"rectangle", Text::tr("Corner radius"), 2, Length, {}, false}};
+        Option{"polygon", Text::tr("Sides"), 2, &Self::makeCount, app::usualPolygon()},
+        Option{"star", Text::tr("Points"), 2, &Self::makeCount, app::usualStar()},
+        Option{"star", Text::tr("Inner radius"), 3, &Self::makePercent, app::usualStar()},
+        Option{"rectangle", Text::tr("Corner radius"), 2, &Self::makeLength, {}, false},
+        Option{"pencil", Text::tr("Tolerance"), 0, &Self::makeTolerance, {}},
+        Option{"arc", Text::tr("By", "how an arc is drawn"), 0, &Self::makeArcChoice, {}},
+        Option{"text", Text::tr("Font"), 0, &Self::makeFont, {}},
+        Option{"text", Text::tr("Size"), 0, &Self::makeTextSize, {app::usualTextSize}}};
     return all;
 }
 
@@ -47,13 +55,16 @@ ShapeOptions::ShapeOptions(app::Session& session, Canvas& canvas)
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(space::labelToField);
     for (const Option& option : options()) {
-        QWidget* label = quietLabel(option.name);
-        fields_.push_back({&option, label, makeField(option)});
-        row->addWidget(label);
-        row->addWidget(fields_.back().field);
+        Field field = (this->*option.make)(option);
+        field.option = &option;
+        field.label = quietLabel(option.name);
+        row->addWidget(field.label);
+        row->addWidget(field.field);
+        fields_.push_back(std::move(field));
     }
     connect(&canvas, &Canvas::toolChanged, this, &ShapeOptions::follow);
     connect(&canvas, &Canvas::stepsChanged, this, &ShapeOptions::follow); // a shape was drawn
+    connect(&canvas, &Canvas::hint, this, &ShapeOptions::follow);         // a key has changed it
     connect(&session, &app::Session::displayChanged, this, &ShapeOptions::follow);
     follow();
 }
@@ -70,39 +81,124 @@ bool ShapeOptions::offersSome() const
     return std::ranges::any_of(options(), [this](const Option& option) { return offers(option); });
 }
 
-QWidget* ShapeOptions::makeField(const Option& option)
+LengthField* ShapeOptions::lengthField(const Option& option)
 {
-    if (option.kind == Option::Kind::Length) {
-        auto* field = new LengthField(option.name, LengthField::Range::NotNegative,
-                                      LengthField::Suffix::Unit);
-        new RoomForText(*field, QStringLiteral("000.00 mm"), 28);
-        connect(field, &LengthField::edited, this,
-                [this, &option](double length) { set(option, length); });
-        connect(field, &LengthField::entered, this, [this] { canvas_.setFocus(); });
-        connect(field, &LengthField::refused, this, &ShapeOptions::refused);
-        connect(field, &LengthField::taken, this, &ShapeOptions::taken);
-        return field;
-    }
-    const bool isPercent = option.kind == Option::Kind::Percent;
+    auto* field =
+        new LengthField(option.name, LengthField::Range::NotNegative, LengthField::Suffix::Unit);
+    new RoomForText(*field, QStringLiteral("000.00 mm"), 28);
+    connect(field, &LengthField::entered, this, [this] { canvas_.setFocus(); });
+    connect(field, &LengthField::refused, this, &ShapeOptions::refused);
+    connect(field, &LengthField::taken, this, &ShapeOptions::taken);
+    return field;
+}
+
+void ShapeOptions::show(LengthField& field, double length)
+{
+    field.show(length, session_.display().unit, session_.now().page().millimetresPerUnit());
+}
+
+ShapeOptions::Field ShapeOptions::makeLength(const Option& option)
+{
+    LengthField* field = lengthField(option);
+    connect(field, &LengthField::edited, this,
+            [this, &option](double length) { set(option, length); });
+    return {field, [this, field, &option] { show(*field, number(option)); }};
+}
+
+/// 0: it is a distance on the screen.
+ShapeOptions::Field ShapeOptions::makeTolerance(const Option& option)
+{
+    Field made = makeLength(option);
+    auto* field = static_cast<LengthField*>(made.field);
+    field->setToolTip(Text::tr("How far a freehand line may be from where the pointer was. 0: 2 "
+                               "pixels."));
+    made.show = [this, field, &option] {
+        show(*field, number(option));
+        if (number(option) > 0)
+            return;
+        field->showNothing();
+        field->findChild<QLineEdit*>()->setPlaceholderText(Text::tr("2 pixels"));
+    };
+    return made;
+}
+
+/// It is kept in millimetres on paper.
+ShapeOptions::Field ShapeOptions::makeTextSize(const Option& option)
+{
+    LengthField* field = lengthField(option);
+    field->setToolTip(Text::tr("Height of capital letters of the next text"));
+    const auto unit = [this] { return session_.now().page().millimetresPerUnit(); };
+    connect(field, &LengthField::edited, this, [this, &option, unit](double length) {
+        if (length > 0)
+            set(option, length * unit());
+        follow();
+    });
+    return {field, [this, field, &option, unit] { show(*field, number(option) / unit()); }};
+}
+
+ShapeOptions::Field ShapeOptions::makeFont(const Option&)
+{
+    auto* field = new FontList;
+    field->setToolTip(Text::tr("Font of the next text"));
+    field->setFixedHeight(space::fieldHeight);
+    connect(field, &QComboBox::currentIndexChanged, this, [this, field] {
+        if (!following_ && !field->font().isEmpty())
+            canvas_.keepFont(field->font());
+    });
+    connect(field, &FontList::done, this, [this] { canvas_.setFocus(); });
+    return {field, [this, field] { field->show(canvas_.keptFont()); }};
+}
+
+ShapeOptions::Field ShapeOptions::makeArcChoice(const Option& option)
+{
+    auto* field = new Segments(Text::tr("How the next arc is drawn"),
+                               {Text::tr("Three points"), Text::tr("Centre")});
+    field->setObjectName(QStringLiteral("arc-by"));
+    field->setTips({Text::tr("Through its start, its end and a point (C)"),
+                    Text::tr("By its centre, its start and its end (C)")});
+    connect(field, &Segments::picked, this, [this, &option](int index) {
+        set(option, index);
+        canvas_.setFocus();
+    });
+    return {field, [this, field, &option] { field->choose(number(option) != 0); }};
+}
+
+ShapeOptions::Field ShapeOptions::makeCount(const Option& option)
+{
+    return makeSpin(option, int(app::leastCorners), int(app::mostCorners), 1);
+}
+
+ShapeOptions::Field ShapeOptions::makePercent(const Option& option)
+{
+    Field made = makeSpin(option, 1, 100, 100);
+    static_cast<QSpinBox*>(made.field)->setSuffix(QStringLiteral(" %"));
+    return made;
+}
+
+/// Shows so many parts of 1.
+ShapeOptions::Field ShapeOptions::makeSpin(const Option& option, int least, int most, double parts)
+{
     auto* field = new QSpinBox;
     field->setAccessibleName(option.name);
     field->setKeyboardTracking(false);
-    if (isPercent) {
-        field->setRange(1, 100);
-        field->setSuffix(QStringLiteral(" %"));
-    } else {
-        field->setRange(int(app::leastCorners), int(app::mostCorners));
-    }
+    field->setRange(least, most);
     field->setFixedHeight(space::fieldHeight);
     new RoomForText(*field, QStringLiteral("0000 %"), 28);
-    connect(field, &QSpinBox::valueChanged, this, [this, &option, isPercent](int value) {
-        set(option, isPercent ? value / 100.0 : value);
-    });
+    connect(field, &QSpinBox::valueChanged, this,
+            [this, &option, parts](int value) { set(option, value / parts); });
     connect(field, &QSpinBox::editingFinished, this, [this, field] {
         if (field->hasFocus()) // Enter, not Tab
             canvas_.setFocus();
     });
-    return field;
+    return {field, [this, field, &option, parts] {
+                const QSignalBlocker quiet(field);
+                field->setValue(qRound(parts * number(option)));
+            }};
+}
+
+double ShapeOptions::number(const Option& option) const
+{
+    return canvas_.keptNumbers(option.shape).value_or(option.usual)[option.number];
 }
 
 void ShapeOptions::set(const Option& option, double number)
@@ -114,20 +210,13 @@ void ShapeOptions::set(const Option& option, double number)
 
 void ShapeOptions::follow()
 {
-    for (const auto& [option, label, field] : fields_) {
-        const bool isShown = offers(*option);
-        label->setVisible(isShown);
-        field->setVisible(isShown);
-        const double number =
-            canvas_.keptNumbers(option->shape).value_or(option->usual)[option->number];
-        if (auto* length = qobject_cast<LengthField*>(field)) {
-            length->show(number, session_.display().unit,
-                         session_.now().page().millimetresPerUnit());
-            continue;
-        }
-        const QSignalBlocker quiet(field);
-        const bool isPercent = option->kind == Option::Kind::Percent;
-        static_cast<QSpinBox*>(field)->setValue(qRound(isPercent ? 100 * number : number));
+    const QScopedValueRollback guard(following_, true);
+    for (const Field& each : fields_) {
+        const bool isShown = offers(*each.option);
+        each.label->setVisible(isShown);
+        each.field->setVisible(isShown);
+        if (isShown && !each.field->hasFocus())
+            each.show();
     }
     layout()->invalidate(); // or its size is that of before, until events are handled
 }

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+#include <functional>
 #include <vector>
 
 namespace ui {
@@ -12,8 +13,9 @@ namespace ui {
 class Canvas;
 class LengthField;
 
-/// The numbers of the next shape that the tool in hand keeps: sides of a polygon, points and inner
-/// radius of a star, corner radius of a rectangle. Also of clip windows of these shapes.
+/// What the tool in hand keeps for the next object: sides of a polygon, points and inner radius of
+/// a star, corner radius of a rectangle, tolerance of the pencil, how an arc is drawn, font and
+/// size of a text. Also of clip windows of these shapes.
 class ShapeOptions : public QWidget {
     Q_OBJECT
 
@@ -30,17 +32,31 @@ private:
     struct Option;
     static std::span<const Option> options();
     bool offers(const Option& option) const;
-    QWidget* makeField(const Option& option);
+    /// What shows and sets an option.
+    struct Field {
+        QWidget* field;
+        std::function<void()> show; ///< its value
+        const Option* option = nullptr;
+        QWidget* label = nullptr;
+    };
+    LengthField* lengthField(const Option& option);
+    void show(LengthField& field, double length);
+    Field makeLength(const Option& option);
+    Field makeTolerance(const Option& option);
+    Field makeTextSize(const Option& option);
+    Field makeFont(const Option& option);
+    Field makeArcChoice(const Option& option);
+    Field makeCount(const Option& option);
+    Field makePercent(const Option& option);
+    Field makeSpin(const Option& option, int least, int most, double parts);
+    double number(const Option& option) const;
     void set(const Option& option, double number);
     void follow();
 
     app::Session& session_;
     Canvas& canvas_;
-    struct Field {
-        const Option* option;
-        QWidget *label, *field;
-    };
     std::vector<Field> fields_;
+    bool following_ = false; ///< shows what is kept: nothing was chosen
 };
 
 } // namespace ui

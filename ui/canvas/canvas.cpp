@@ -105,6 +105,11 @@ void Canvas::keepNumbers(std::string_view tool, const app::Numbers& numbers)
 {
     parts_->controller.held().use([&](Tool&, Workbench& bench) { bench.kept[tool] = numbers; });
 }
+QString Canvas::keptFont() const { return fontOfNext(parts_->controller.bench()); }
+void Canvas::keepFont(const QString& font)
+{
+    parts_->controller.held().use([&](Tool&, Workbench& bench) { bench.keptFont = font; });
+}
 bool Canvas::hasWholeCapsule() const
 {
     return capsuleHome() == app::CapsuleHome::InBar

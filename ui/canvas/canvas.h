@@ -81,6 +81,8 @@ public:
     std::optional<app::Numbers> keptNumbers(std::string_view tool) const;
     /// `tool` outlives the canvas: it is a key of a catalogue.
     void keepNumbers(std::string_view tool, const app::Numbers& numbers);
+    QString keptFont() const; ///< of the next text
+    void keepFont(const QString& font);
     /// Whether capsules are on, and all their parts have room.
     bool hasWholeCapsule() const;
     /// The first controls in the capsule of selected objects, which a room above makes. Once.

@@ -55,7 +55,7 @@ public:
     bool key(QKeyEvent& event, Workbench& bench) override
     {
         if (event.key() == Qt::Key_C && !event.modifiers() && arc_.points.size() < 2) {
-            arc_.byCentre = !arc_.byCentre;
+            arc_.byCentre = !isByCentre(bench);
             bench.kept[keptArc] = {arc_.byCentre ? 1.0 : 0.0};
         } else if (takesBack(event.key()) && canTakeBack()) {
             takeBack(bench);
@@ -113,12 +113,12 @@ public:
     }
     bool corrects() const override { return last_.isOpen(); }
 
-    QString hint(const Workbench&) const override
+    QString hint(const Workbench& bench) const override
     {
-        return arc_.byCentre ? Text::tr(
+        return isByCentre(bench) ? Text::tr(
                    "Click the centre, the start and the end of the arc. C: through three "
                    "points.")
-                             : QString();
+                                 : QString();
     }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
@@ -141,6 +141,11 @@ private:
     };
 
     static bool takesBack(int key) { return key == Qt::Key_Backspace || key == Qt::Key_Delete; }
+    /// The arc that is being drawn, or the next one.
+    bool isByCentre(const Workbench& bench) const
+    {
+        return busy() ? arc_.byCentre : keptBy(keptArc, bench, {})[0] != 0;
+    }
     app::GestureStart start() const { return {arc_.points[0], arc_.points[1]}; }
     const app::GestureMeasure& sweep() const { return app::sweepMeasure(arc_.turn); }
 

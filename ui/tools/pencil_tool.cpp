@@ -8,7 +8,8 @@
 namespace ui {
 namespace {
 
-constexpr double usualTolerance = 2;           // pixels, until a tolerance is typed
+constexpr std::string_view keptTolerance = "pencil"; // in the drawing; 0: none was typed
+constexpr double usualTolerance = 2;                 // pixels, until a tolerance is typed
 constexpr std::size_t mostCorrected = 100'000; // points that another tolerance may take 1 s for
 
 /// The tolerance is typed: on paper, or in the drawing's unit.
@@ -43,11 +44,11 @@ public:
         points_ = {pointer.raw};
         begin(toleranceIn(bench));
     }
-    void move(const Pointer& pointer, Workbench& bench) override
+    void move(const Pointer& pointer, Workbench&) override
     {
         if (last_.isOpen()) {
-            if (pointer.held && std::exchange(tolerance_, pointer.numbers[0]) != tolerance_)
-                smooth_ = smoothed(toleranceIn(bench));
+            if (pointer.held && pointer.numbers[0] > 0 && pointer.numbers[0] != fitted_)
+                smooth_ = smoothed(pointer.numbers[0]);
         } else if (!points_.empty() && pointer.raw != points_.back()) {
             points_.push_back(pointer.raw);
             freehand_->add(pointer.raw);
@@ -82,7 +83,7 @@ public:
     }
     void accept(const app::GestureEnd& end, Workbench& bench) override
     {
-        tolerance_ = end.numbers[0];
+        bench.kept[keptTolerance] = {end.numbers[0]};
         if (last_.isOpen())
             finish(bench);
         else if (isLastTooLong_)
@@ -108,9 +109,10 @@ public:
     }
 
 private:
-    double toleranceIn(const Workbench& bench) const
+    static double toleranceIn(const Workbench& bench)
     {
-        return tolerance_ > 0 ? tolerance_ : bench.inDrawing(usualTolerance);
+        const double kept = keptBy(keptTolerance, bench, {})[0];
+        return kept > 0 ? kept : bench.inDrawing(usualTolerance);
     }
     void begin(double tolerance)
     {
@@ -149,7 +151,6 @@ private:
     std::vector<app::Point> done_;          ///< of the last line
     app::Subpath smooth_{};                 ///< during a correction
     bool isLastTooLong_ = false;            ///< too long to be smoothed again
-    double tolerance_ = 0;                  ///< in the drawing; 0: none was typed
     LastStep last_;
 };
 

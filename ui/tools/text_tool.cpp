@@ -17,7 +17,6 @@ namespace ui {
 namespace {
 
 constexpr std::string_view keptText = "text"; // the size in millimetres
-constexpr double usualSize = 5;               // mm
 constexpr double baseline = 24;               // pixels of the mark
 
 /// Writes a text of strokes or outlines, and edits one. The letters are typed in a field on the
@@ -108,10 +107,9 @@ private:
 
 void TextTool::begin(const app::Point& at, const Workbench& bench)
 {
-    const double size =
-        keptBy(keptText, bench, {usualSize})[0] / bench.session.now().page().millimetresPerUnit();
-    const QString font =
-        app::hasFont(bench.keptFont) ? bench.keptFont : app::strokeFonts().front().name;
+    const double size = keptBy(keptText, bench, {app::usualTextSize})[0]
+                        / bench.session.now().page().millimetresPerUnit();
+    const QString font = fontOfNext(bench);
     text_ = app::TextRecipe{{}, font, size, at};
     wantedFace_ = bench.keptFace;
     text_->face = app::faceOf(font, wantedFace_);

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lettering/outline_fonts.h"
+#include "app/lettering/stroke_fonts.h"
 #include "ui/tools/tool.h"
 
 namespace ui {
+
+QString fontOfNext(const Workbench& bench)
+{
+    return app::hasFont(bench.keptFont) ? bench.keptFont : app::strokeFonts().front().name;
+}
 
 std::optional<app::GridPoints> Workbench::grid() const
 {

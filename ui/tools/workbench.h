@@ -75,6 +75,9 @@ struct Workbench {
                          std::optional<std::size_t> withoutWindow = {}) const;
 };
 
+/// The font of the next text: the last one if there is still such a font.
+QString fontOfNext(const Workbench& bench);
+
 /// In logical pixels: how near to a line the pointer hits it, how far it must move to start a drag,
 /// and how near it must be to snap.
 constexpr double reach = 6, dragDistance = 3, snapReach = 8;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of the next shape, in the bar across the top.
+#include "app/lettering/stroke_fonts.h"
 #include "ui/bars/option_bar.h"
 #include "ui/bars/shape_options.h"
+#include "ui/widgets/font_list.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/segments.h"
 
 #include <QSpinBox>
 
@@ -100,6 +103,64 @@ private slots:
         QTest::keyClick(bar.drawingArea(), Qt::Key_Up);
         QTest::mouseRelease(bar.drawingArea(), Qt::LeftButton, {}, from + QPoint(60, 30));
         QTRY_COMPARE(bar.field<QSpinBox>("Sides")->value(), 7);
+    }
+    void anArcIsByItsCentreOrThroughPoints()
+    {
+        Bar bar;
+        bar.window->canvas().setTool("arc");
+        auto* by = bar.row().findChild<Segments*>("arc-by");
+        QTRY_VERIFY(by->isVisible());
+        QCOMPARE(by->chosen(), 0);
+        const QString hint = bar.window->canvas().toolHint();
+        QTest::mouseClick(by->findChildren<QToolButton*>()[1], Qt::LeftButton);
+        QVERIFY(bar.window->canvas().toolHint() != hint);
+        QTest::keyClick(bar.drawingArea(), Qt::Key_C); // back
+        QCOMPARE(bar.window->canvas().toolHint(), hint);
+        QTRY_COMPARE(by->chosen(), 0);
+    }
+    void thePencilKeepsItsTolerance()
+    {
+        Bar bar;
+        bar.window->canvas().setTool("pencil");
+        auto* field = bar.field<LengthField>("Tolerance");
+        QTRY_VERIFY(field->isVisible());
+        QCOMPARE(field->text(), QString()); // as the view is zoomed
+        const auto stroke = [&] {
+            const QPoint from = bar.drawingArea()->rect().center();
+            QTest::mousePress(bar.drawingArea(), Qt::LeftButton, {}, from);
+            for (int i = 1; i < 30; ++i)
+                QTest::mouseMove(bar.drawingArea(), from + QPoint(5 * i, i % 2 ? 12 : -12));
+            QTest::mouseRelease(bar.drawingArea(), Qt::LeftButton, {}, from + QPoint(150, 0));
+            const auto& objects = bar.window->session().now().objects();
+            return objects[objects.size() - 1].path().subpaths().front().segments.size();
+        };
+        const std::size_t fine = stroke();
+        bar.type<LengthField>("Tolerance", "300");
+        QVERIFY(stroke() < fine);
+        bar.window->canvas().setTool("line");
+        bar.window->canvas().setTool("pencil");
+        QTRY_VERIFY(field->text().startsWith("300"));
+        bar.type<LengthField>("Tolerance", "0");
+        QCOMPARE(stroke(), fine);
+    }
+    void theNextTextHasItsFontAndSize()
+    {
+        Bar bar;
+        bar.window->canvas().setTool("text");
+        auto* font = bar.row().findChild<FontList*>();
+        QTRY_VERIFY(font->isVisible());
+        const QString other = app::strokeFonts().back().name;
+        QVERIFY(!font->font().isEmpty() && font->font() != other);
+        font->setCurrentIndex(font->findData(other));
+        bar.type<LengthField>("Size", "30mm");
+        QTest::mouseClick(bar.drawingArea(), Qt::LeftButton, {},
+                          bar.drawingArea()->rect().center());
+        QTest::keyClicks(QApplication::focusWidget(), "ab");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        const auto text = std::get<app::TextRecipe>(bar.drawn());
+        QCOMPARE(text.font, other);
+        const double unit = bar.window->session().now().page().millimetresPerUnit();
+        QVERIFY(std::abs(text.size * unit - 30) < 1e-9);
     }
     void clipWindowsHaveThemToo()
     {
