@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/window_panel.h"
 
-#include "app/document/styles_in_use.h"
-#include "app/session/recent_colours.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
-#include "app/view/colour_chart.h"
 #include "ui/docks/window_add_menu.h"
 #include "ui/docks/window_fields.h"
 #include "ui/docks/window_list.h"
@@ -14,9 +11,7 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/buttons.h"
-#include "ui/widgets/colour_popup.h"
 #include "ui/widgets/segments.h"
-#include "ui/widgets/swatch.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -28,9 +23,7 @@ namespace ui {
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), list_(new WindowList(session)),
       keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
-      colour_(iconButton("plus", Text::tr("Colour of the clip window on the screen"))),
-      colours_(new ColourPopup(this)), fields_(new WindowFields(session)),
-      pages_(new QStackedLayout(this))
+      fields_(new WindowFields(session)), pages_(new QStackedLayout(this))
 {
     pages_->addWidget(makeList());
     pages_->addWidget(makeOffer());
@@ -95,12 +88,8 @@ void WindowPanel::addTools(QHBoxLayout& row)
     add->setObjectName(QStringLiteral("add-window"));
     auto* remove = iconButton("bin", Text::tr("Remove the clip window"));
     connect(remove, &QToolButton::clicked, this, [this] { app::removeWindow(session_); });
-    colour_->setObjectName(QStringLiteral("window-colour"));
-    colours_->hideEyedropper();
-    connect(colour_, &QToolButton::clicked, this, &WindowPanel::openColours);
-    connect(colours_, &ColourPopup::picked, this, &WindowPanel::setColour);
-    for (QToolButton* button : {add, remove, colour_})
-        row.addWidget(button);
+    row.addWidget(add);
+    row.addWidget(remove);
 }
 
 QToolButton* WindowPanel::makeAdd()
@@ -153,10 +142,6 @@ void WindowPanel::follow()
 {
     pages_->setCurrentIndex(session_.windows().list.empty() ? 1 : 0);
     keep_->choose(int(session_.windows().keep));
-    const auto number = session_.windowNumber();
-    colour_->setEnabled(number.has_value());
-    const app::ClipWindow shown = number ? session_.windows().list[*number] : app::ClipWindow{};
-    colour_->setIcon(windowSwatchIcon(shown.colour));
     constexpr std::size_t most = 6; // then the list scrolls: about half of a low column
     const std::size_t rows = std::clamp<std::size_t>(session_.windows().list.size(), 1, most);
     list_->setFixedHeight(int(rows) * space::rowHeight);
@@ -169,36 +154,6 @@ QString WindowPanel::title() const
     return result.isEmpty() || session_.windows().keep == app::Keep::Inside
                ? result
                : Text::tr("all but %1", "what the clip windows keep").arg(result);
-}
-
-void WindowPanel::openColours()
-{
-    const auto number = session_.windowNumber();
-    if (!number)
-        return;
-    constexpr std::size_t rows = 2;
-    colours_->open(*colour_,
-                   {app::coloursInUse(session_.now().objects(), rows * app::coloursInRow),
-                    app::recentColours(QSettings()), session_.windows().list[*number].colour});
-}
-
-// A window is seen through its outline alone, so that its colour is opaque.
-void WindowPanel::setColour(const std::optional<app::Colour>& colour)
-{
-    const auto number = session_.windowNumber();
-    if (!number)
-        return;
-    app::changeWindow(session_, *number, Text::tr("Colour of clip window"),
-                      [&](app::ClipWindow& window) {
-                          window.colour = colour;
-                          if (window.colour)
-                              window.colour->alpha = 255;
-                      });
-    if (colour) {
-        QSettings settings;
-        app::rememberColour(settings, *colour);
-    }
-    emit entered();
 }
 
 } // namespace ui

@@ -12,13 +12,12 @@ class QHBoxLayout;
 
 namespace ui {
 
-class ColourPopup;
 class Segments;
 class WindowFields;
 class WindowList;
 
 /// The list of clip windows with the side that is kept, and the window that tools act on: what it
-/// does, its colour, its numbers.
+/// does, its numbers.
 class WindowPanel : public QWidget {
     Q_OBJECT
 
@@ -42,14 +41,10 @@ private:
     QWidget* makeOffer(); ///< shown if there is no clip window
     QToolButton* makeAdd();
     void follow();
-    void openColours();
-    void setColour(const std::optional<app::Colour>& colour);
 
     app::Session& session_;
     WindowList* list_;
     Segments* keep_;
-    QToolButton* colour_;
-    ColourPopup* colours_;
     WindowFields* fields_;
     QStackedLayout* pages_; ///< the list, or the offer
 };

@@ -4,10 +4,10 @@
 #include "app/document/window_outline.h"
 #include "app/document/window_shape.h"
 #include "app/formats/coordinates.h"
+#include "app/session/window_steps.h"
 #include "app/view/frame_handles.h"
 #include "ui/docks/window_model.h"
 #include "ui/docks/window_panel.h"
-#include "ui/widgets/colour_popup.h"
 #include "ui/widgets/length_field.h"
 
 #include <QAbstractButton>
@@ -252,16 +252,13 @@ private slots:
         w.session.history.undo();
         QCOMPARE(hall.data(ui::WindowModel::CountsRole).toBool(), true);
     }
-    void aWindowGetsAColour()
+    // None is offered: a file may bring one.
+    void theColourOfAWindowIsShown()
     {
         Windows w;
-        QTest::mouseClick(w.t.window->findChild<QToolButton*>("window-colour"), Qt::LeftButton);
-        auto* colours = w.t.window->findChild<ui::WindowPanel*>()->findChild<ui::ColourPopup*>();
-        for (const char* c = "#008080"; *c; ++c)
-            QTest::keyClick(colours->focusWidget(), *c);
-        QTest::keyClick(colours->focusWidget(), Qt::Key_Return);
-        QCOMPARE(w.window(0).colour, std::optional(app::Colour{0, 128, 128}));
-        QCOMPARE(w.session.history.undoText(), "Colour of clip window");
+        app::changeWindow(w.session, 0, {}, [](app::ClipWindow& window) {
+            window.colour = app::Colour{0, 128, 128};
+        });
         w.canvas.settle();
         const QImage picture = w.surface().grab().toImage();
         const QPoint edge = w.at({20, 42}); // on its left side, between two handles
