@@ -56,13 +56,6 @@ QIcon swatchIcon(const std::optional<app::Colour>& colour)
     });
 }
 
-QIcon windowSwatchIcon(const std::optional<app::Colour>& own)
-{
-    return paintedIcon(iconSize, [own](QPainter& painter, const Look& look) {
-        paintSwatch(painter, inIcon, own.value_or(plainColour(look.accent)), look);
-    });
-}
-
 QIcon mixedSwatchIcon()
 {
     return paintedIcon(iconSize, [](QPainter& painter, const Look& look) {

@@ -16,8 +16,6 @@ void paintSwatch(QPainter& painter, const QRect& square, const std::optional<app
 
 /// The same as an icon of 16 logical pixels.
 QIcon swatchIcon(const std::optional<app::Colour>& colour);
-/// For a clip window, which without a colour of its own has that of all windows.
-QIcon windowSwatchIcon(const std::optional<app::Colour>& own);
 /// An icon for several colours.
 QIcon mixedSwatchIcon();
 
