@@ -86,7 +86,7 @@ private slots:
         const QStringList keys = keysOf(menu);
         QVERIFY(keys.contains("crop") && keys.contains("remove-window") && !keys.contains("group"));
         QCOMPARE(keys.first(), "window-adds");
-        QVERIFY(!keys.contains("window-cuts-out")); // it is the first
+        QVERIFY(!keys.contains("window-intersects")); // it is the first
         close(menu);
         app::addWindow(hand.session, {.shape = app::RectangleShape{{{2, 2}, {9, 9}}}});
         app::reorderWindow(hand.session, 1, 0);
