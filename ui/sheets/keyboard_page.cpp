@@ -130,6 +130,7 @@ void KeyboardPage::addFields(QVBoxLayout& column)
     QSizePolicy policy = takeOver_->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
     takeOver_->setSizePolicy(policy);
+    takeOver_->hide(); // until a key is offered
     grid->addWidget(takeOver_, 0, Qt::AlignLeft);
     column.addLayout(grid);
     connect(field_, &KeyField::pressed, this, &KeyboardPage::take);
@@ -178,6 +179,8 @@ void KeyboardPage::take(const QKeySequence& key)
 
 void KeyboardPage::takeOver()
 {
+    if (!chosen_ || offered_.isEmpty())
+        return;
     const QKeySequence key = offered_;
     const auto holder = keys_.table().holder(key, *chosen_);
     field_->setFocus(); // the button is about to be hidden
@@ -189,12 +192,16 @@ void KeyboardPage::takeOver()
 
 void KeyboardPage::remove()
 {
+    if (!chosen_)
+        return;
     keys_.change([this](app::KeyTable& all) { all.clear(*chosen_); });
     answer({}, false);
 }
 
 void KeyboardPage::resetChosen()
 {
+    if (!chosen_)
+        return;
     keys_.change([this](app::KeyTable& all) { all.reset(*chosen_); });
     answer({}, false);
 }

@@ -137,6 +137,20 @@ private slots:
         QVERIFY(page.part<QPushButton>("take-key")->isHidden());
     }
 
+    /// As it opens: no command is chosen, and no key is offered.
+    void thePageBeginsWithoutAnOffer()
+    {
+        const Page page;
+        QVERIFY(page.part<QPushButton>("take-key")->isHidden());
+        const Keys before = page.keysOf("undo");
+        for (const char* button : {"take-key", "remove-keys", "reset-keys"})
+            page.click(button);
+        page.press(Qt::Key_J, Qt::ControlModifier);
+        QVERIFY(page.keys().isStandard());
+        QCOMPARE(page.keysOf("undo"), before);
+        QCOMPARE(page.answer(), QString());
+    }
+
     void anOfferEndsWithTheChoice()
     {
         const Page page;
