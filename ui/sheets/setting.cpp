@@ -87,6 +87,12 @@ Setting unit()
             },
         .standard =
             [](const MainWindow& w) { return numberOf(w.session().now().page().usualUnit()); },
+        .reset =
+            [](MainWindow& w) {
+                w.session().changeDisplay([&w](app::Display& display) {
+                    display.unit = w.session().now().page().usualUnit();
+                });
+            },
     };
     for (const app::Unit each : shownUnits()) {
         const QString suffix = app::latin(app::infoOf(each).suffix);
@@ -176,7 +182,17 @@ const std::vector<SettingsGroup>& settingsGroups()
 
 void change(const Setting& setting, MainWindow& window, int value)
 {
+    if (value < 0)
+        return;
     setting.set(window, value);
+    window.refreshActions();
+}
+
+void reset(const Setting& setting, MainWindow& window)
+{
+    if (!setting.reset)
+        return change(setting, window, setting.standard(window));
+    setting.reset(window);
     window.refreshActions();
 }
 

@@ -24,6 +24,8 @@ struct Setting {
     std::function<int(const MainWindow&)> value{};
     std::function<void(MainWindow&, int)> set{}; ///< takes effect at once, and is remembered
     std::function<int(const MainWindow&)> standard{};
+    /// Sets the standard where this may be none of the choices; empty: `set` does.
+    std::function<void(MainWindow&)> reset{};
     /// Whether no menu has it: the palette finds its commands anyway.
     bool isOnlyHere = true;
 };
@@ -37,7 +39,10 @@ struct SettingsGroup {
 /// All settings but the keys, in the order in which they are shown.
 const std::vector<SettingsGroup>& settingsGroups();
 
-/// Sets it, and tells the window.
+/// Sets it, and tells the window; nothing if the value is not among the choices.
 void change(const Setting& setting, MainWindow& window, int value);
+
+/// Sets it as it was at first, and tells the window.
+void reset(const Setting& setting, MainWindow& window);
 
 } // namespace ui

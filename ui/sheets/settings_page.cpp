@@ -88,21 +88,21 @@ void SettingsPage::addChoices(const Setting& setting, QGridLayout& grid, int row
 /// It is seen only where it would change something, and keeps its place.
 void SettingsPage::addReset(const Setting& setting, QGridLayout& grid, int row)
 {
-    auto* reset = iconButton("undo", Text::tr("Reset “%1” to standard").arg(setting.text));
-    reset->setObjectName(QStringLiteral("reset-") + setting.key);
-    reset->setFocusPolicy(Qt::TabFocus);
-    QSizePolicy policy = reset->sizePolicy();
+    auto* button = iconButton("undo", Text::tr("Reset “%1” to standard").arg(setting.text));
+    button->setObjectName(QStringLiteral("reset-") + setting.key);
+    button->setFocusPolicy(Qt::TabFocus);
+    QSizePolicy policy = button->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
-    reset->setSizePolicy(policy);
-    grid.addWidget(reset, row, 2);
-    connect(reset, &QToolButton::clicked, this, [this, reset, &setting] {
+    button->setSizePolicy(policy);
+    grid.addWidget(button, row, 2);
+    connect(button, &QToolButton::clicked, this, [this, &setting] {
         focusNextChild(); // it is about to be hidden
-        change(setting, window_, setting.standard(window_));
+        ui::reset(setting, window_);
     });
-    const auto follow = [this, reset, &setting] {
-        reset->setVisible(setting.value(window_) != setting.standard(window_));
+    const auto follow = [this, button, &setting] {
+        button->setVisible(setting.value(window_) != setting.standard(window_));
     };
-    connect(&window_, &MainWindow::actionsOutdated, reset, follow);
+    connect(&window_, &MainWindow::actionsOutdated, button, follow);
     follow();
 }
 
@@ -111,8 +111,7 @@ void SettingsPage::reset()
     for (const SettingsGroup& group : settingsGroups())
         for (const Setting& setting : group.settings)
             if (setting.value(window_) != setting.standard(window_))
-                setting.set(window_, setting.standard(window_));
-    window_.refreshActions();
+                ui::reset(setting, window_);
 }
 
 } // namespace ui

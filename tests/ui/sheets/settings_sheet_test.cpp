@@ -180,6 +180,29 @@ private slots:
         QCOMPARE(t.window->sheet(), nullptr);
     }
 
+    /// No choice has the unit of this page.
+    void theUnitOfThePageIsSetAgain()
+    {
+        TestWindow t;
+        t.show();
+        t.open(t.file("picas.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='40pc' "
+                                   "height='40pc' viewBox='0 0 40 40'/>"));
+        const auto unit = [&t] { return t.window->session().display().unit; };
+        QCOMPARE(unit(), app::Unit::Pc);
+        t.run("settings");
+        for (const char* button : {"reset-unit", "reset-settings"}) {
+            t.run("unit-mm");
+            QCOMPARE(unit(), app::Unit::Mm);
+            t.window->sheet()->findChild<QAbstractButton*>(button)->click();
+            QCOMPARE(unit(), app::Unit::Pc);
+        }
+        forEach([&t](const Setting& setting) {
+            const int before = setting.value(*t.window);
+            change(setting, *t.window, -1);
+            QCOMPARE(setting.value(*t.window), before);
+        });
+    }
+
     /// Those that a drawing brings are not.
     void settingsAreRemembered()
     {
