@@ -13,6 +13,7 @@
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
 #include "ui/menus/actions.h"
+#include "ui/sheets/command_keys.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -225,6 +226,7 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
             open();
         if (!options.refusal.isEmpty())
             window.tell({Message::Kind::Warning, options.refusal});
+        CommandKeys::of(window).tellIgnored();
         if (recovery)
             recovery->offer();
     };

@@ -3,6 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/drawing/transformation.h"
+#include "ui/files/files.h"
 #include "ui/look/key_tip.h"
 #include "ui/look/text.h"
 #include "ui/window/keyboard.h"
@@ -12,6 +13,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPointer>
 #include <QSettings>
 
 #include <algorithm>
@@ -88,10 +90,26 @@ CommandKeys::CommandKeys(MainWindow& window) : QObject(&window), window_(window)
     table_ = app::KeyTable(std::move(all.rows), QSettings().value("shortcuts").toStringList());
     apply();
     window.canvas().leaveKeysToCommands();
-    if (table_.ignored() > 0)
-        window.tell({Message::Kind::Warning,
-                     Text::tr("Some keyboard shortcuts in the settings could not be used and were "
-                              "ignored.")});
+}
+
+void CommandKeys::tellIgnored()
+{
+    if (table_.ignored() == 0)
+        return;
+    const auto tell = [this] {
+        if (!window_.message().isEmpty())
+            return;
+        window_.tell({Message::Kind::Warning,
+                      Text::tr("Some keyboard shortcuts in the settings could not be used and were "
+                               "ignored.")});
+        disconnect(afterLoading_);
+    };
+    // The message of a file that was opened is not replaced; one without a message comes later.
+    afterLoading_ = connect(&window_.files(), &Files::told, this, tell, Qt::QueuedConnection);
+    window_.files().whenIdle([self = QPointer(this), tell] {
+        if (self)
+            tell();
+    });
 }
 
 CommandKeys& CommandKeys::of(MainWindow& window)

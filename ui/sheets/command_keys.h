@@ -26,6 +26,9 @@ public:
     const app::KeyTable& table() const { return table_; }
     /// `KeyNews` tells of it.
     void change(const std::function<void(app::KeyTable&)>& step);
+    /// Says once, after what is being opened, that keys in the settings were ignored, if any were:
+    /// a drawing that is opened takes away the messages before it.
+    void tellIgnored();
 
 private:
     void apply();
@@ -33,6 +36,7 @@ private:
     MainWindow& window_;
     std::vector<QAction*> actions_; ///< of the table's commands; null: no action
     app::KeyTable table_;
+    QMetaObject::Connection afterLoading_;
 };
 
 } // namespace ui

@@ -8,7 +8,9 @@
 #include "ui/editor/editor_application.h"
 #include "ui/window/main_window.h"
 
+#include <QDir>
 #include <QFile>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -141,6 +143,20 @@ private slots:
     {
         QCOMPARE(saidOf("--algorithm=MD", "algorithm"), "matthes-drakopoulos");
         QCOMPARE(saidOf("--size=900x700", "algorithm"), "exact");
+    }
+    /// The drawing that is opened at the start takes away the messages before it.
+    void ignoredKeysAreSaidAfterTheFirstDrawing()
+    {
+        const ui::TestWindow t; // its settings are those of the editor
+        const QByteArray file = QFile::encodeName(t.twoLines());
+        QDir(home_.path()).mkpath("Clearcut");
+        QFile settings(home_.filePath("Clearcut/Clearcut.ini"));
+        QVERIFY(settings.open(QIODevice::WriteOnly));
+        settings.write(R"({"shortcuts": ["save\tnonsense"]})");
+        settings.close();
+        const auto forget = qScopeGuard([&settings] { settings.remove(); });
+        for (const QByteArray& argument : {file, QByteArray("--size=900x700")})
+            QVERIFY(saidOf(argument).contains("keyboard shortcuts"));
     }
     void whoeverListensIsToldAndNoWindowOpens()
     {

@@ -274,7 +274,11 @@ private slots:
         TestWindow t;
         QSettings().setValue("shortcuts", QStringList{"save\tnonsense", "?", "quit\tCtrl+J"});
         t.window = windowWithMenus();
+        CommandKeys::of(*t.window).tellIgnored();
         QVERIFY(t.window->message().contains("keyboard shortcuts"));
+        t.open(t.twoLines());
+        QCoreApplication::processEvents();
+        QCOMPARE(t.window->message(), QString());
         QVERIFY(t.action("save")->shortcuts().contains(K("Ctrl+S")));
         QCOMPARE(t.action("quit")->shortcuts(), Keys{K("Ctrl+J")});
     }
