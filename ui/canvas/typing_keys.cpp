@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/typing_keys.h"
 
+#include "app/settings/usable_key.h"
+
 namespace ui {
 
 /// The text with which typing begins; empty: the key types no number.
 static QString firstTyped(const QKeyEvent& event, bool points)
 {
     // Shift+2 and Shift+3 fit the view, unless a point can begin here.
-    const QString first =
-        points ? QStringLiteral("0123456789.,-+<@#(") : QStringLiteral("0123456789.,-+<(");
     const auto others =
         ~Qt::KeyboardModifiers(Qt::ShiftModifier | Qt::KeypadModifier | Qt::GroupSwitchModifier);
     if (event.text().size() != 1 || (event.modifiers() & others))
         return {};
-    return first.contains(event.text().front()) ? event.text() : QString();
+    const QChar first = event.text().front();
+    const bool begins =
+        app::beginNumber.contains(first) || (points && app::beginPoint.contains(first));
+    return begins ? event.text() : QString();
 }
 
 /// Enter opens the numbers of what was just done, also where digits have another use.

@@ -93,6 +93,15 @@ private slots:
         row("Shift+Tab", Line, K(Qt::SHIFT | Qt::Key_Tab), "everywhere");
         row("arrow", Line, K(Qt::ALT | Qt::Key_Left), "moves");
         row("digit", Line, K(Qt::Key_3), "Digits");
+        row("number", Line, K("."), "begins a number");
+        row("sum", Line, K("Shift++"), "begins a number");
+        row("bracket", Line, K(Qt::SHIFT | Qt::Key_ParenLeft), "begins a number");
+        row("point", Line, K("#"), "begins a point");
+        row("Menu", Line, K(Qt::Key_Menu), "context menu");
+        row("Shift+F10", Save, K("Shift+F10"), "context menu");
+        row("dead key", Line, K(Qt::Key_Dead_Circumflex), "cannot be a shortcut");
+        row("Compose", Line, K(Qt::Key_Multi_key), "cannot be a shortcut");
+        row("Super", Save, K(Qt::Key_Super_L), "cannot be a shortcut");
         row("letter in fields", Save, K("B"), "fields");
         row("capital in fields", Save, K("Shift+B"), "fields");
         row("Delete in fields", Save, K(Qt::Key_Delete), "fields");
@@ -115,7 +124,8 @@ private slots:
     void keysThatACommandCanHave()
     {
         KeyTable table(commands());
-        for (const char* key : {"B", "Shift+B", "+", "Del", "Ctrl+1", "F5", "Ctrl+Left"}) {
+        for (const char* key :
+             {"B", "Shift+B", "/", "Del", "Ctrl+1", "F5", "F10", "Ctrl+Left", "Ctrl++"}) {
             QVERIFY2(table.refusal(Line, K(key)).isEmpty(), key);
             table.give(Line, K(key));
             QCOMPARE(table.keys(Line), Keys{K(key)});
