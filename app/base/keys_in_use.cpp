@@ -59,8 +59,9 @@ QString withKeys(QString sentence)
 {
     static const QRegularExpression named(
         QStringLiteral(" ?\\(\\{([a-z0-9-]+)\\}\\)|\\{([a-z0-9-]+)\\}"));
+    qsizetype from = 0; // keys that were put in are not read again
     for (auto match = named.match(sentence); match.hasMatch();
-         match = named.match(sentence, match.capturedStart())) {
+         match = named.match(sentence, from)) {
         const bool inBrackets = match.hasCaptured(1) && !match.captured(1).isEmpty();
         const QString key = keysNow().value(match.captured(inBrackets ? 1 : 2));
         const QString before = match.captured().startsWith(u' ') ? QStringLiteral(" ") : QString();
@@ -68,6 +69,7 @@ QString withKeys(QString sentence)
                               : key.isEmpty() ? QString()
                                               : before + u'(' + key + u')';
         sentence.replace(match.capturedStart(), match.capturedLength(), shown);
+        from = match.capturedStart() + shown.size();
     }
     return sentence;
 }

@@ -16,8 +16,9 @@ const KeysInUse& standardKeysInSentences();
 void tellKeysInUse(const KeysInUse& keys);
 
 /// A sentence with the keys of the commands that it names: "Draw one first ({tool-window})." A
-/// command without a key leaves nothing in brackets, and a dash elsewhere. Only on the interface's
-/// thread.
+/// command without a key leaves nothing in brackets, and a dash elsewhere. Names that a person gave
+/// are put in afterwards, or they would be read as those of commands: withKeys(text).arg(name).
+/// Only on the interface's thread.
 QString withKeys(QString sentence);
 
 } // namespace app

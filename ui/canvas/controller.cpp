@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/controller.h"
 
+#include "app/base/keys_in_use.h"
 #include "app/session/arrange_selection.h"
 #include "app/session/inspection.h"
 #include "ui/canvas/canvas_keys.h"
@@ -180,7 +181,7 @@ void Controller::transform(const app::Transformation& kind)
     if (session.selection().empty())
         session.select(app::justAdded(session));
     if (session.selection().empty()) {
-        emit session.refused(kind.needs);
+        emit session.refused(app::withKeys(kind.needs));
         return;
     }
     if (toolInfo().key != "select")

@@ -67,7 +67,7 @@ QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& 
     const auto refresh = [action, &row, &window] {
         const QString why = row.refusal ? row.refusal(window) : QString();
         action->setEnabled(why.isEmpty() && (!row.enabled || row.enabled(window)));
-        const QString needed = app::withKeys(row.refusal ? why : row.needs);
+        const QString needed = row.refusal ? why : app::withKeys(row.needs);
         action->setStatusTip(action->isEnabled() ? QString() : needed);
         if (row.refusal)
             action->setToolTip(needed);

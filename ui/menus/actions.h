@@ -39,6 +39,7 @@ struct ActionInfo {
     std::function<bool(const MainWindow& window)> checked = nullptr; ///< null: not checkable
     std::string_view group = {}; ///< exclusive: one of its actions is checked; empty: none
     /// Why it is disabled, and what to do first; its disabled shortcut shows this too.
+    /// Names no thing of the drawing: it may name keys (`app::withKeys`).
     QString needs = {};
     QString submenu = {}; ///< the title of the submenu that holds the command; empty: none
     /// Instead of `enabled` and `needs`: why it is disabled now, in one sentence; empty: it is not.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/keys_in_use.h"
 #include "app/base/text.h"
 #include "app/document/window_operations.h"
 #include "app/session/window_in_hand.h"
@@ -125,7 +126,7 @@ void toggleTiles(MainWindow& window)
 QString whyNoTiles(const MainWindow& window)
 {
     if (window.isPresenting())
-        return Text::tr("Leave the presentation first ({presentation}).");
+        return app::withKeys(Text::tr("Leave the presentation first ({presentation})."));
     return window.session().scene.lines().size() == 0 ? Text::tr("The drawing is empty.")
                                                       : QString();
 }
@@ -169,7 +170,8 @@ ActionInfo operationRow(const app::WindowOperationInfo& info)
         .refusal =
             [operation](const MainWindow& w) {
                 const auto number = w.session().windowNumber();
-                return number ? app::whyNot(w.session().windows(), *number, operation) : noWindow();
+                return number ? app::whyNot(w.session().windows(), *number, operation)
+                              : app::withKeys(noWindow());
             },
     };
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/keys_in_use.h"
 #include "app/base/numbers.h"
 #include "app/session/window_in_hand.h"
 #include "ui/bars/status_bar.h"
@@ -49,8 +48,7 @@ void MainWindow::connectSession()
     connect(status_, &StatusBar::timed, this, [this](const QString& clip, std::size_t differing) {
         panels_.showResult(session_, clip, differing);
     });
-    connect(&session_, &app::Session::refused, this, [this](const QString& named) {
-        const QString sentence = app::withKeys(named);
+    connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {
         tell({Message::Kind::Warning, sentence});
         // The next step shows that it is settled, or no longer wanted.
         const auto withdraw = [this, sentence] {

@@ -27,6 +27,13 @@ private slots:
             QCOMPARE(withKeys(text), QString(text));
     }
 
+    void aKeyIsNotReadAsANameOfACommand()
+    {
+        tellKeysInUse({{"move", "{"}, {"scale", "{move}"}});
+        QCOMPARE(withKeys("{scale} ({scale}), {move}rotate}"),
+                 QStringLiteral("{move} ({move}), {rotate}"));
+    }
+
     void severalKeysStandInOneSentence()
     {
         tellKeysInUse({{"move", "G"}, {"scale", "{move}"}});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
 #include "app/document/window_operations.h"
+#include "app/drawing/transformation.h"
 #include "app/session/window_steps.h"
 #include "ui/menus/actions.h"
 #include "ui/tools/tool.h"
@@ -113,6 +114,20 @@ private slots:
         const QString page = t.window->findChild<QTextBrowser*>()->toPlainText();
         QVERIFY(page.contains("Keep outside\nX"));
         QVERIFY(page.contains("Cut out of those above\n-"));
+    }
+    /// Sentences name the keys of commands in braces.
+    void aNameIsNotReadAsACommand()
+    {
+        TestWindow t;
+        app::Session& session = t.window->session();
+        const QString name = QStringLiteral("{move} ({zzz})");
+        app::addWindow(session, {.name = name, .shape = app::RectangleShape{{{10, 10}, {30, 40}}}});
+        QCOMPARE(t.action("window-cuts-out")->statusTip(),
+                 name + " is the first window, so it can only add.");
+        app::setWindowOperation(session, 0, app::WindowOperation::CutOut);
+        QCOMPARE(t.window->message(), name + " is the first window, so it can only add.");
+        t.window->canvas().transform(app::transformations().front());
+        QVERIFY2(t.window->message().contains("(V)"), qPrintable(t.window->message()));
     }
     void noTwoEntriesOfAMenuHaveTheSameLetter()
     {
