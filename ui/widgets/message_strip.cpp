@@ -112,7 +112,7 @@ WindowNote::WindowNote(const app::Session& session) : session_(session)
             });
     connect(&session, &app::Session::previewChanged, this, &WindowNote::follow);
     connect(&session, &app::Session::loaded, this, &WindowNote::follow);
-    follow();
+    followKeys(*this, [this] { follow(); });
 }
 
 void WindowNote::follow()

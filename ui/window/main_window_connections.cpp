@@ -39,7 +39,6 @@ void MainWindow::connectSession()
             });
     connect(&session_.nodes, &app::NodeEditing::changed, this, &MainWindow::refreshActions);
     connect(&session_.entered, &app::EnteredGroup::changed, this, &MainWindow::refreshActions);
-    connect(&session_.history, &app::History::indexChanged, this, &MainWindow::refreshActions);
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::closeDone);
     connect(status_, &StatusBar::warningWanted, this, [this](const QString& sentence) {

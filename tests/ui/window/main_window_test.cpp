@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/keys_in_use.h"
 #include "app/commands/set_style.h"
 #include "app/lessons/lesson.h"
 #include "app/scene/bounds.h"
 #include "ui/bars/option_bar.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/line_panel.h"
+#include "ui/look/key_tip.h"
 #include "ui/menus/actions.h"
 #include "ui/widgets/message_strip.h"
 #include "ui/widgets/segments.h"
@@ -19,6 +21,8 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScopeGuard>
+#include <QSignalSpy>
 #include <QStatusBar>
 
 #include "tests/app/document/one_window.h"
@@ -608,6 +612,16 @@ private slots:
         QVERIFY(note->text().contains("Drag the clip window"));
         session.setPreview({});
         QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
+        const auto usual = qScopeGuard([] { KeyNews::get().tell(app::standardKeysInSentences()); });
+        KeyNews::get().tell({{"tool-window", "F10"}});
+        QVERIFY(note->text().startsWith("<b>Draw a clip window (F10),</b>"));
+    }
+    void commandsAreRefreshedOnceForAStep()
+    {
+        const TestWindow t;
+        const QSignalSpy refreshed(t.window.get(), &MainWindow::actionsOutdated);
+        emit t.window->session().history.indexChanged(0);
+        QCOMPARE(refreshed.count(), 1);
     }
     void theFirstStartNoteIsNotShownInTheWorkspaceDraw()
     {
