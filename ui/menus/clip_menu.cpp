@@ -123,12 +123,13 @@ void toggleTiles(MainWindow& window)
     sheets.open();
 }
 
+QString emptyDrawing() { return Text::tr("The drawing is empty."); }
+
 QString whyNoTiles(const MainWindow& window)
 {
     if (window.isPresenting())
         return app::withKeys(Text::tr("Leave the presentation first ({presentation})."));
-    return window.session().scene.lines().size() == 0 ? Text::tr("The drawing is empty.")
-                                                      : QString();
+    return someLines(window) ? QString() : emptyDrawing();
 }
 
 bool hasWindow(const MainWindow& window) { return window.session().windowNumber().has_value(); }
@@ -140,12 +141,20 @@ ActionInfo occludeRow()
         .text = Text::tr("Remo&ve covered lines"),
         .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("occlude")); },
         .enabled = someLines,
+        .needs = emptyDrawing(),
     };
 }
 
 QString noWindow()
 {
     return Text::tr("No clip window is visible. Draw one first ({tool-window}).");
+}
+
+QString whyNoCut(const MainWindow& window)
+{
+    return !someLines(window)   ? emptyDrawing()
+           : !hasWindow(window) ? app::withKeys(noWindow())
+                                : QString();
 }
 
 ActionInfo operationRow(const app::WindowOperationInfo& info)
@@ -218,26 +227,25 @@ std::vector<ActionInfo> windowRows()
 
 std::vector<ActionInfo> cutRows()
 {
-    const auto some = [](const MainWindow& w) { return someLines(w) && hasWindow(w); };
     return {
         {
             .key = "crop",
             .text = Text::tr("&Crop to windows"),
             .keys = {QKeySequence("Ctrl+Shift+X")},
             .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("crop")); },
-            .enabled = some,
+            .refusal = whyNoCut,
         },
         {
             .key = "cut-out",
             .text = Text::tr("Cut o&ut windows"),
             .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("cut-out")); },
-            .enabled = some,
+            .refusal = whyNoCut,
         },
         {
             .key = "split",
             .text = Text::tr("Spli&t at windows"),
             .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
-            .enabled = some,
+            .refusal = whyNoCut,
         },
         occludeRow(),
         {

@@ -229,6 +229,21 @@ private slots:
         QVERIFY(!t.action("delete-nodes")->statusTip().isEmpty());
     }
 
+    void cutsSayWhyTheyAreDisabled()
+    {
+        TestWindow t;
+        t.run("new");
+        for (const char* cut : {"crop", "cut-out", "split", "occlude", "tiles"})
+            QCOMPARE(t.action(cut)->statusTip(), QStringLiteral("The drawing is empty."));
+        t.open(t.twoLines());
+        t.run("remove-window");
+        for (const char* cut : {"crop", "cut-out", "split"})
+            QCOMPARE(t.action(cut)->statusTip(),
+                     QStringLiteral("No clip window is visible. Draw one first (W)."));
+        QCOMPARE(t.action("occlude")->statusTip(), QString());
+        QVERIFY(t.action("occlude")->isEnabled());
+    }
+
     /// Each is in one menu.
     void everyToolIsInAMenu()
     {
