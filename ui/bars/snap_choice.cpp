@@ -59,9 +59,9 @@ void SnapChoice::follow()
     setToolTip(
         app::withKeys(Text::tr("Snap to places of the drawing ({snap}). Hold Ctrl to suspend it.\n"
                                "%1 of %2 kinds of places are chosen. Right click, or Alt+Down: "
-                               "choose them.")
-                          .arg(now.size())
-                          .arg(app::snapKinds().size())));
+                               "choose them."))
+            .arg(now.size())
+            .arg(app::snapKinds().size()));
     for (const app::SnapKind& kind : app::snapKinds())
         menu_->findChild<QAction*>(app::latin(kind.key))->setChecked(now.has(kind));
 }

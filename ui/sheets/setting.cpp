@@ -105,7 +105,7 @@ Setting snapping()
 {
     return {
         .key = QStringLiteral("snap"),
-        .text = Text::tr("Snap to places of the drawing:"),
+        .text = Text::tr("Snap to places of the drawing"),
         .tip = Text::tr("Hold Ctrl to suspend it"),
         .value = [](const MainWindow& w) { return int(w.canvas().snaps()); },
         .set = [](MainWindow& w, int value) { w.canvas().switchSnapping(value); },
@@ -127,6 +127,7 @@ Setting snapKind(const app::SnapKind& kind)
                 w.canvas().setSnapping(value ? now.with(kind.key) : now.without(kind.key));
             },
         .standard = [&kind](const MainWindow&) { return int(app::SnapTo::usual().has(kind)); },
+        .counts = [](const MainWindow& w) { return w.canvas().snaps(); },
     };
 }
 

@@ -11,8 +11,21 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QStyle>
 
 namespace ui {
+
+namespace {
+
+/// A part of a switch begins below the switch's text.
+int widthOfMark(const QCheckBox& box)
+{
+    const QStyle& style = *box.style();
+    return style.pixelMetric(QStyle::PM_IndicatorWidth)
+           + style.pixelMetric(QStyle::PM_CheckBoxLabelSpacing);
+}
+
+} // namespace
 
 SettingsPage::SettingsPage(MainWindow& window, QWidget* parent) : QWidget(parent), window_(window)
 {
@@ -55,10 +68,16 @@ void SettingsPage::addSwitch(const Setting& setting, QGridLayout& grid, int row)
     auto* box = new QCheckBox(setting.text);
     box->setObjectName(QStringLiteral("setting-") + setting.key);
     box->setToolTip(setting.tip);
-    grid.addWidget(box, row, 0, 1, 2);
+    auto* place = new QHBoxLayout;
+    place->setContentsMargins(setting.counts ? widthOfMark(*box) : 0, 0, 0, 0);
+    place->addWidget(box);
+    grid.addLayout(place, row, 0, 1, 2);
     connect(box, &QCheckBox::clicked, this,
             [this, &setting](bool on) { change(setting, window_, on); });
-    const auto follow = [this, box, &setting] { box->setChecked(setting.value(window_) == 1); };
+    const auto follow = [this, box, &setting] {
+        box->setChecked(setting.value(window_) == 1);
+        box->setEnabled(!setting.counts || setting.counts(window_));
+    };
     connect(&window_, &MainWindow::actionsOutdated, box, follow);
     follow();
 }
@@ -88,7 +107,8 @@ void SettingsPage::addChoices(const Setting& setting, QGridLayout& grid, int row
 /// It is seen only where it would change something, and keeps its place.
 void SettingsPage::addReset(const Setting& setting, QGridLayout& grid, int row)
 {
-    auto* button = iconButton("undo", Text::tr("Reset “%1” to standard").arg(setting.text));
+    const QString& name = setting.command.isEmpty() ? setting.text : setting.command;
+    auto* button = iconButton("undo", Text::tr("Reset “%1” to standard").arg(name));
     button->setObjectName(QStringLiteral("reset-") + setting.key);
     button->setFocusPolicy(Qt::TabFocus);
     QSizePolicy policy = button->sizePolicy();

@@ -159,6 +159,27 @@ private slots:
         });
     }
 
+    void theKindsOfSnappingArePartsOfIt()
+    {
+        TestWindow t;
+        t.show();
+        t.run("settings");
+        const auto box = [&t](const char* name) {
+            return t.window->sheet()->findChild<QAbstractButton*>(name);
+        };
+        const auto left = [&](const char* name) {
+            return box(name)->mapTo(t.window->sheet(), QPoint()).x();
+        };
+        QVERIFY(left("setting-snap-to-ends") > left("setting-snap"));
+        QVERIFY(box("setting-snap-to-ends")->isEnabled());
+        t.run("snap");
+        QVERIFY(!box("setting-snap-to-ends")->isEnabled());
+        QVERIFY(box("setting-snap")->isEnabled());
+        QVERIFY(!box("setting-snap")->text().endsWith(u':'));
+        QCOMPARE(box("reset-snap-to-ends")->toolTip(),
+                 QStringLiteral("Reset “Snap to: Ends” to standard"));
+    }
+
     void aClickSetsAndAllIsReset()
     {
         TestWindow t;
