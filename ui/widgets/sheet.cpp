@@ -59,7 +59,7 @@ void Sheet::addHeading(QVBoxLayout& column, const QString& title)
 {
     heading_ = new Heading(title);
     heading_->setFixedHeight(headingHeight);
-    auto* close = iconButton("close", Text::tr("Close this sheet (Esc)"));
+    auto* close = iconButton("close", Text::tr("Close this panel (Esc)"));
     close->setObjectName(QStringLiteral("close-sheet"));
     close->setFocusPolicy(Qt::TabFocus);
     heading_->add(close);
