@@ -42,11 +42,10 @@ void addPaths(const QList<QAction*>& actions, const QString& before, QSet<QStrin
 /// What keys do in gestures, fields and lists, where no menu has them.
 QSet<QString> keysOfGestures()
 {
-    return {"Shift",     "Alt",   "Ctrl",       "Esc",     "Enter",       "Tab",
-            "Backspace", "Space", "Up",         "Down",    "Left",        "Right",
-            "X",         "Y",     "C",          "P",       "Shift+Enter", "0",
-            "1",         "9",     "Ctrl+Enter", "Ctrl+Up", "Ctrl+Down",   "Shift+Tab",
-            "Ctrl+B",    "Ctrl+I"};
+    return {"Shift",   "Alt",       "Ctrl",        "Esc",    "Enter",  "Tab",  "Backspace",
+            "Space",   "Up",        "Down",        "Left",   "Right",  "X",    "Y",
+            "C",       "P",         "Shift+Enter", "0",      "1",      "9",    "Ctrl+Enter",
+            "Ctrl+Up", "Ctrl+Down", "Shift+Tab",   "Ctrl+B", "Ctrl+I", "Menu", "Shift+F10"};
 }
 
 QString allPages()
