@@ -248,14 +248,18 @@ std::vector<ActionInfo> cutRows()
             .refusal = whyNoCut,
         },
         occludeRow(),
-        {
-            .key = "tiles",
-            .text = Text::tr("Til&es…"),
-            .keys = {QKeySequence("Ctrl+T")},
-            .icon = "tiles",
-            .run = toggleTiles,
-            .refusal = whyNoTiles,
-        },
+    };
+}
+
+ActionInfo tilesRow()
+{
+    return {
+        .key = "tiles",
+        .text = Text::tr("Til&es…"),
+        .keys = {QKeySequence("Ctrl+T")},
+        .icon = "tiles",
+        .run = toggleTiles,
+        .refusal = whyNoTiles,
     };
 }
 
@@ -312,6 +316,8 @@ MenuInfo clipMenu()
             {keepOutsideRow()},
             separator,
             cutRows(),
+            inSubmenu(Text::tr("Cut ed&ges"), {cutEdgesRows()}),
+            {tilesRow()},
             separator,
             {{.text = Text::tr("&Algorithm"), .fill = addAlgorithms}, publishedRow()},
         }),

@@ -23,6 +23,7 @@ std::vector<ActionInfo> pathRows();        ///< the steps that edit nodes, outli
 std::vector<ActionInfo> styleRows();       ///< style, eyedropper, copy and paste style
 std::vector<ActionInfo> selectRows();      ///< layer, invert, same colour
 std::vector<ActionInfo> panesRows();
+std::vector<ActionInfo> cutEdgesRows(); ///< what the panel *Cut edges* chooses
 ActionInfo moveToLayerRow();
 ActionInfo convertRow(); ///< to a path
 ActionInfo findRow();

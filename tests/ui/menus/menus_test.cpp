@@ -244,6 +244,26 @@ private slots:
         QVERIFY(t.action("occlude")->isEnabled());
     }
 
+    void cutEdgesAreChosenInTheMenuAndInThePanel()
+    {
+        TestWindow t;
+        t.show();
+        t.open(t.twoLines());
+        const auto cutting = [&t] { return t.window->session().display().cutting; };
+        t.run("close-cut-areas");
+        t.run("cut-hidden");
+        QVERIFY(cutting().closeAreas && cutting().cutHidden);
+        QVERIFY(t.action("cut-hidden")->isChecked());
+        t.run("drop-pieces");
+        const auto* field = t.window->findChild<QWidget*>("least-piece");
+        QTRY_VERIFY(field->isVisible() && field->hasFocus());
+        t.window = windowWithMenus(); // remembered
+        QVERIFY(cutting().closeAreas && cutting().cutHidden);
+        t.run("close-cut-areas");
+        t.run("cut-hidden");
+        QVERIFY(!cutting().closeAreas && !cutting().cutHidden);
+    }
+
     /// Each is in one menu.
     void everyToolIsInAMenu()
     {
