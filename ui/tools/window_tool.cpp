@@ -230,8 +230,12 @@ QCursor WindowTool::cursor(const Workbench& bench) const
 QString WindowTool::hint(const Workbench& bench) const
 {
     const QString now = drawing_ ? drawing_->hint(bench) : QString();
-    const auto& kind = app::windowKind(bench.session.nextWindow);
-    return now.isEmpty() ? Text::tr(kind.hint.data()) : now;
+    if (!now.isEmpty())
+        return now;
+    const QString usual = Text::tr(app::windowKind(bench.session.nextWindow).hint.data());
+    return bench.session.windows().list.empty()
+               ? usual
+               : Text::tr("%1 Alt: begin inside another window.").arg(usual);
 }
 
 } // namespace
