@@ -14,7 +14,8 @@ bool samePlaces(const Edit& first, const Edit& second)
     const auto exchanges = [](const Splice& s) { return s.removed == s.added; };
     return first.splices == second.splices && std::ranges::all_of(first.splices, exchanges)
            && first.windows.has_value() == second.windows.has_value() && !first.containers
-           && !second.containers && !first.page && !second.page;
+           && !second.containers && !first.page && !second.page
+           && second.numbers.empty(); // they change no places
 }
 
 } // namespace

@@ -33,7 +33,8 @@ std::size_t bytesNotIn(const ClipWindows& windows, const ClipWindows& other)
 
 std::size_t Edit::bytesNotIn(const Edit& opposite) const
 {
-    std::size_t sum = heapBytes(splices) + objects.bytesNotIn(opposite.objects);
+    std::size_t sum = heapBytes(splices) + heapBytes(moved) + heapBytes(numbers)
+                      + objects.bytesNotIn(opposite.objects);
     assert(containers.has_value() == opposite.containers.has_value());
     assert(windows.has_value() == opposite.windows.has_value());
     if (containers)

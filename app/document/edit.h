@@ -3,6 +3,7 @@
 
 #include "app/document/clip_windows.h"
 #include "app/document/containers.h"
+#include "app/document/number_runs.h"
 #include "app/document/objects.h"
 #include "app/document/page.h"
 
@@ -22,6 +23,13 @@ struct Edit {
     std::optional<Containers> containers{};
     std::optional<ClipWindows> windows{};
     std::optional<Page> page{};
+    /// Where the added objects were, in the old numbering; `none` for those that are new. Empty:
+    /// objects that are replaced one for one are the same ones, changed; so is the first of several
+    /// that replace one.
+    NumberRuns moved{};
+    /// The numbers in the names of the added objects (object_numbers.h); empty: not known. Only
+    /// EditedDocument sets them, in the edits that it returns.
+    NumberRuns numbers{};
 
     /// The heap bytes that the history uses for this edit: the bytes that this edit keeps alive and
     /// `opposite` does not. `opposite` is the edit whose application to the document returned this

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/edited_document.h"
 
+#include <utility>
+
 namespace app {
 
 EditedDocument::EditedDocument(Document document, QObject* parent)
-    : QObject(parent), document_(std::move(document))
+    : QObject(parent), document_(std::move(document)), numbers_(document_.objects().size())
 {
 }
 
@@ -32,9 +34,10 @@ void EditedDocument::load(Document document)
     owed_ = {};
     ++revision_;
     try {
+        numbers_ = ObjectNumbers(document_.objects().size());
         emit changed(change);
     } catch (...) {
-        takeBack(std::move(empty), change);
+        takeBack(std::move(empty), {}, change);
         throw;
     }
 }
@@ -50,10 +53,16 @@ Edit EditedDocument::apply(const Edit& edit)
                           .page = edit.page.has_value(),
                           .splices = splices};
     Document before = document_;
+    std::optional<ObjectNumbers> numbersBefore; // null: they stay
     Edit back;
     {
         Document next = document_;
+        std::optional<ObjectNumbers::Changed> named = numbers_.after(edit);
         back = next.apply(edit);
+        if (named) {
+            back.numbers = std::move(named->removed);
+            numbersBefore = std::exchange(numbers_, std::move(named->numbers));
+        }
         publish(next);
     }
     ++revision_;
@@ -62,15 +71,17 @@ Edit EditedDocument::apply(const Edit& edit)
     } catch (...) {
         --revision_;
         takeBack(
-            std::move(before),
+            std::move(before), std::move(numbersBefore ? *numbersBefore : numbers_),
             {.again = true, .objects = true, .containers = true, .windows = true, .page = true});
         throw;
     }
     return back;
 }
 
-void EditedDocument::takeBack(Document to, const DocumentChange& change) noexcept
+void EditedDocument::takeBack(Document to, ObjectNumbers numbers,
+                              const DocumentChange& change) noexcept
 {
+    numbers_ = std::move(numbers);
     publish(to);
     owed_ = change;
     try {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/document.h"
+#include "app/document/object_numbers.h"
 
 #include <QObject>
 
@@ -33,7 +34,8 @@ class EditedDocument : public QObject {
 public:
     explicit EditedDocument(Document document = {}, QObject* parent = nullptr);
 
-    const Document& now() const { return document_; } ///< for the editing thread only
+    const Document& now() const { return document_; }         ///< for the editing thread only
+    const ObjectNumbers& numbers() const { return numbers_; } ///< of its objects, for names
     /// The current document, for any thread; valid as long as the caller keeps it. O(1); allocates
     /// nothing.
     Document snapshot() const;
@@ -54,10 +56,11 @@ signals:
 
 private:
     void publish(Document& next); // swaps it with document_
-    void takeBack(Document to, const DocumentChange& change) noexcept;
+    void takeBack(Document to, ObjectNumbers numbers, const DocumentChange& change) noexcept;
     void sayOwed();
 
     Document document_;
+    ObjectNumbers numbers_;
     std::uint64_t revision_ = 0;
     DocumentChange owed_{}; ///< what some listeners do not know yet, because memory ran out
     mutable std::mutex publishing_;

@@ -116,6 +116,8 @@ MovedObjects objectsMoved(const Objects& objects, const Objects& added,
             passed = run.end;
         } else {
             append(moved.objects, runs[i].added ? added : objects, run);
+            app::append(moved.moved, {runs[i].added ? NumberRun::none : std::uint32_t(run.first),
+                                      std::uint32_t(run.size())});
             coming += run.size();
         }
         if (runs[i].added)

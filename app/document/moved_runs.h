@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/number_runs.h"
 #include "app/document/object_ranges.h"
 #include "app/document/objects.h"
 
@@ -18,7 +19,8 @@ struct MovedRun {
 /// The change of order as splices.
 struct MovedObjects {
     std::vector<Splice> splices{};
-    Objects objects{}; ///< that the splices add
+    Objects objects{};  ///< that the splices add
+    NumberRuns moved{}; ///< see Edit::moved
     ObjectRanges chosen{}, added{};
 };
 

@@ -63,6 +63,7 @@ std::optional<Rearranged> TreeDraft::rearranged() const
     MovedObjects moved = objectsMoved(document_.objects(), added_, layout.runs, chosen_);
     result.edit.splices = std::move(moved.splices);
     result.edit.objects = std::move(moved.objects);
+    result.edit.moved = std::move(moved.moved);
     result.chosen = std::move(moved.chosen);
     result.added = std::move(moved.added);
     if (!made_.empty() || layout.parts.marks != document_.containers().parts().marks) {

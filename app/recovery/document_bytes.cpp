@@ -240,7 +240,8 @@ void readSetting(ByteReader& in, Edit& edit)
 
 void writeEdit(ByteWriter& out, const Edit& edit, ObjectBytes& objects)
 {
-    const auto& [splices, added, containers, windows, page] = edit;
+    // Names are not recorded.
+    const auto& [splices, added, containers, windows, page, moved, numbers] = edit;
     writeSplices(out, splices);
     objects.write(out, added);
     writeSetting(out, edit);

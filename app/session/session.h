@@ -14,7 +14,6 @@
 #include "app/scene/scene.h"
 #include "app/session/entered_group.h"
 #include "app/session/node_editing.h"
-#include "app/session/object_numbers.h"
 #include "app/session/pivot.h"
 #include "app/session/preview.h"
 #include "app/view/grid.h"
@@ -61,7 +60,6 @@ public:
     explicit Session(QObject* parent = nullptr);
 
     EditedDocument document;
-    ObjectNumbers numbers{document}; ///< for names; first, because other listeners ask for names
 
 private:
     // Connected before the scene, which passes the change on to listeners that need the pen's layer

@@ -75,7 +75,7 @@ TreeSearch::Words TreeSearch::wordsOf(std::size_t object, const ObjectView& view
         kind->second = wordsIn(nameOf(view));
     Words words = kind->second;
     if (hasDigits_)
-        words |= wordsIn(countText(session_.numbers.of(object)));
+        words |= wordsIn(countText(session_.document.numbers().of(object)));
     return particulars.title.isEmpty() ? words : words | wordsIn(particulars.title);
 }
 

@@ -152,7 +152,8 @@ QString objectName(const Session& session, std::size_t object)
 {
     const ObjectView view = session.now().objects()[object];
     const QString& id = view.particulars().id;
-    return id.isEmpty() ? Text::tr("%1 %2").arg(nameOf(view), countText(session.numbers.of(object)))
+    return id.isEmpty() ? Text::tr("%1 %2").arg(nameOf(view),
+                                                countText(session.document.numbers().of(object)))
                         : id;
 }
 

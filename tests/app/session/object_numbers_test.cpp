@@ -8,6 +8,10 @@
 
 #include <QTest>
 
+#include <array>
+#include <map>
+#include <utility>
+
 #include "tests/test_class.h"
 
 namespace session_object_numbers_test {
@@ -109,25 +113,103 @@ private slots:
     {
         Drawing drawing;
         std::vector<QStringList> seen{drawing.names()};
-        for (int i = 0; i < 12; ++i) {
-            if (i % 3 == 0)
+        for (int i = 0; i < 20; ++i) {
+            if (i % 5 == 0)
                 drawing.add(0);
-            else if (i % 3 == 1)
+            else if (i % 5 == 1)
                 drawing.remove(std::size_t(i) % drawing.now().objects().size());
             else {
+                constexpr std::array ways{Stacking::ToFront, Stacking::Raise, Stacking::Lower,
+                                          Stacking::ToBack};
                 drawing.select({0, 2});
-                stackSelection(drawing, i % 2 ? Stacking::ToFront : Stacking::ToBack);
+                stackSelection(drawing, ways[std::size_t(i) % ways.size()]);
             }
-            seen.push_back(drawing.names());
             QCOMPARE(QStringList(drawing.names()).removeDuplicates(), 0);
+            if (int(seen.size()) == drawing.history.count()) // it did change something
+                seen.push_back(drawing.names());
         }
+        QCOMPARE(int(seen.size()), drawing.history.count() + 1);
+        QVERIFY(seen.size() > 15);
         for (int index = drawing.history.count(); index >= 0; --index) {
             drawing.history.setIndex(index);
-            QCOMPARE(drawing.names().size(), int(drawing.now().objects().size()));
+            QCOMPARE(drawing.names(), seen[std::size_t(index)]);
         }
-        QCOMPARE(drawing.names(), seen.front());
-        drawing.history.setIndex(drawing.history.count());
-        QCOMPARE(drawing.names(), seen.back());
+        for (int index = 0; index <= drawing.history.count(); ++index) {
+            drawing.history.setIndex(index);
+            QCOMPARE(drawing.names(), seen[std::size_t(index)]);
+        }
+    }
+    // As many objects come to a place as leave it, but others.
+    void objectsThatChangePlacesKeepTheirNumbers()
+    {
+        DocumentBuilder builder;
+        builder.open({.name = "low"});
+        for (int i = 0; i < 4; ++i)
+            builder.add({.path = Path(clipping::Segment{{0, double(i)}, {4, double(4 - i)}}),
+                         .style = {.stroke = Colour{}, .width = 1}});
+        builder.close();
+        Drawing drawing;
+        drawing.load({builder.take({}), {}});
+        const auto ends = [&] {
+            std::map<QString, double> all;
+            for (std::size_t i = 0; i < 4; ++i)
+                all[app::objectName(drawing, i)] = drawing.now().objects()[i].singleLine()->a.y;
+            return all;
+        };
+        const auto before = ends();
+        drawing.select({0, 2});
+        stackSelection(drawing, Stacking::Raise);
+        QCOMPARE(drawing.names(), QStringList({"Line 2", "Line 1", "Line 4", "Line 3"}));
+        QVERIFY(ends() == before);
+        drawing.select({0, 3});
+        stackSelection(drawing, Stacking::Lower);
+        QVERIFY(ends() == before);
+        drawing.history.setIndex(0);
+        QCOMPARE(drawing.names(), QStringList({"Line 1", "Line 2", "Line 3", "Line 4"}));
+    }
+    // Such a change looks like an undo of the last one.
+    void aNewObjectInThePlaceOfARemovedOneIsNew()
+    {
+        Drawing drawing;
+        drawing.select({3});
+        stackSelection(drawing, Stacking::ToFront);
+        QCOMPARE(drawing.names(), QStringList({"Line 1", "Line 2", "Line 3", "Path 5", "Line 4"}));
+        drawing.pen.layer = drawing.now().containers().layerOf(4);
+        drawing.remove(4);
+        drawing.add(9);
+        QCOMPARE(drawing.names(), QStringList({"Line 1", "Line 2", "Line 3", "Path 5", "Line 6"}));
+        drawing.history.setIndex(0);
+        QCOMPARE(drawing.names(), QStringList({"Line 1", "Line 2", "Line 3", "Line 4", "Path 5"}));
+    }
+    void theFirstPieceOfWhatIsCutKeepsTheNumber()
+    {
+        Drawing drawing;
+        Edit edit{.splices = {{1, 1, 2}}, .objects = drawing.now().objects().slice(0, 0)};
+        edit.objects.append(line(1));
+        edit.objects.append(line(1));
+        edit.containers = drawing.now().containers().spliced(edit.splices);
+        const Edit back = drawing.document.apply(edit);
+        QCOMPARE(drawing.names(),
+                 QStringList({"Line 1", "Line 2", "Line 6", "Line 3", "Line 4", "Path 5"}));
+        drawing.document.apply(back);
+        QCOMPARE(drawing.names(), QStringList({"Line 1", "Line 2", "Line 3", "Line 4", "Path 5"}));
+    }
+    // Undone by the document itself, when memory runs out in a listener.
+    void whatFailsChangesNoNumber()
+    {
+        Drawing drawing;
+        drawing.remove(1);
+        const QStringList before = drawing.names();
+        bool fails = true;
+        QObject listener;
+        connect(&drawing.document, &EditedDocument::changed, &listener, [&] {
+            if (std::exchange(fails, false))
+                throw std::bad_alloc();
+        });
+        QVERIFY_EXCEPTION_THROWN(drawing.remove(0), std::bad_alloc);
+        QCOMPARE(drawing.names(), before);
+        drawing.history.undo();
+        QCOMPARE(drawing.names(), QStringList({"Line 1", "Line 2", "Line 3", "Line 4", "Path 5"}));
     }
     void theSelectionIsNamed()
     {
