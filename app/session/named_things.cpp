@@ -96,7 +96,8 @@ bool addObjects(const Session& session, const QString& typed, std::size_t most,
             if (things.size() >= most || (!hasNumber && !isNamed(object)))
                 return;
             const QString name = nameOfObject(session, i, object);
-            if (!name.contains(typed, Qt::CaseInsensitive))
+            if (isNamed(object) ? !name.contains(typed, Qt::CaseInsensitive)
+                                : !objectNameHas(session, i, typed))
                 return;
             const ContainerId layer = tree.layerOf(i);
             things.push_back(

@@ -74,8 +74,10 @@ TreeSearch::Words TreeSearch::wordsOf(std::size_t object, const ObjectView& view
     if (isNew)
         kind->second = wordsIn(nameOf(view));
     Words words = kind->second;
-    if (hasDigits_)
-        words |= wordsIn(countText(session_.document.numbers().of(object)));
+    if (hasDigits_) { // "12,345" is typed with or without the comma
+        const std::uint32_t number = session_.document.numbers().of(object);
+        words |= wordsIn(countText(number)) | wordsIn(QString::number(number));
+    }
     return particulars.title.isEmpty() ? words : words | wordsIn(particulars.title);
 }
 

@@ -157,6 +157,18 @@ QString objectName(const Session& session, std::size_t object)
                         : id;
 }
 
+bool objectNameHas(const Session& session, std::size_t object, const QString& typed)
+{
+    if (objectName(session, object).contains(typed, Qt::CaseInsensitive))
+        return true;
+    const std::uint32_t number = session.document.numbers().of(object);
+    const ObjectView view = session.now().objects()[object];
+    return view.particulars().id.isEmpty()
+           && Text::tr("%1 %2")
+                  .arg(nameOf(view), QString::number(number))
+                  .contains(typed, Qt::CaseInsensitive);
+}
+
 QString groupName(const Container& group)
 {
     return group.name.isEmpty() ? Text::tr("Group") : group.name;

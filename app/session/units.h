@@ -26,6 +26,8 @@ ObjectRanges selectableObjects(const Session& session);
 
 /// What an object is called: its id or, without one, its kind and its number ("Rectangle 3").
 QString objectName(const Session& session, std::size_t object);
+/// Whether a part of the name is what was typed, be the digits of its number grouped or not.
+bool objectNameHas(const Session& session, std::size_t object, const QString& typed);
 /// The selection in words: "Rectangle 3", "3 objects", "Kitchen, group of 3 objects", "2 nodes",
 /// "nothing selected".
 QString selectionText(const Session& session);

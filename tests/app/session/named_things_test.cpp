@@ -2,6 +2,7 @@
 // What the drawing has under a name.
 #include "app/document/document_builder.h"
 #include "app/session/named_things.h"
+#include "app/session/units.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -73,6 +74,24 @@ private slots:
         QCOMPARE(found[0].name, QStringLiteral("Line 12"));
         QVERIFY(chooseThing(session, found[0]));
         QCOMPARE(session.selection(), ObjectRanges({11}));
+    }
+    void digitsAreFoundGroupedOrNot()
+    {
+        DocumentBuilder builder;
+        builder.open({.name = QStringLiteral("Fence")});
+        for (int i = 0; i < 1300; ++i)
+            builder.add({.path = Path(clipping::Segment{{0, 0}, {1, double(i)}}),
+                         .style = {.stroke = Colour{}}});
+        builder.close();
+        Session session;
+        session.load({builder.take({}), {}});
+        const QString name = app::objectName(session, 1233);
+        QVERIFY(name != QStringLiteral("Line 1234"));
+        for (const QString& typed : {QStringLiteral("line 1234"), name}) {
+            const auto found = thingsNamed(session, typed, 100, 10s).list;
+            QCOMPARE(found.size(), std::size_t(1));
+            QCOMPARE(found[0].name, name);
+        }
     }
     void windowsLayersAndObjectsAreFound()
     {

@@ -95,6 +95,13 @@ private slots:
         QVERIFY(search.advance(1s));
         QCOMPARE(search.found(), std::size_t(5));
     }
+    void digitsAreFoundGroupedOrNot()
+    {
+        const House house(1500);
+        const QString line = "." + app::objectName(house, 1233);
+        QCOMPARE(house.found("line 1234"), QStringList({"Walls", line}));
+        QCOMPARE(house.found(line.mid(1)), QStringList({"Walls", line}));
+    }
     // Each way of finding one goes through all objects: the result is the same as that of the
     // names.
     void manyObjectsAreFoundInSlices()
@@ -115,8 +122,8 @@ private slots:
             std::size_t expected = 0;
             for (std::size_t i = 0; i < house.now().objects().size(); ++i) {
                 const ContainerId layer = house.now().containers().layerOf(i);
-                const QString name =
-                    app::objectName(house, i) + u' ' + house.now().containers()[layer].name;
+                const QString name = app::objectName(house, i) + u' ' + QString::number(i + 1)
+                                     + u' ' + house.now().containers()[layer].name;
                 bool fits = true;
                 for (const QString& word : QString(typed).split(u' '))
                     fits = fits && name.contains(word, Qt::CaseInsensitive);
