@@ -138,7 +138,7 @@ QString selectionText(const Session& session)
     const bool isGroup =
         group != 0 && selection == ObjectRanges(session.now().containers().rangeOf(group));
     if (selection.size() == 1 && !isGroup)
-        return objectName(session, selection.first());
+        return objectText(session, selection.first());
     const QString count = countText(selection.size());
     if (!isGroup)
         return Text::tr("%1 objects").arg(count);
@@ -155,6 +155,12 @@ QString objectName(const Session& session, std::size_t object)
     return id.isEmpty() ? Text::tr("%1 %2").arg(nameOf(view),
                                                 countText(session.document.numbers().of(object)))
                         : id;
+}
+
+QString objectText(const Session& session, std::size_t object)
+{
+    const ObjectView view = session.now().objects()[object];
+    return view.particulars().id.isEmpty() ? objectName(session, object) : nameOf(view);
 }
 
 bool objectNameHas(const Session& session, std::size_t object, const QString& typed)

@@ -24,11 +24,14 @@ QString nameForNew(const Session& session); ///< of the entered group or layer, 
 /// All objects that may be selected: those of the entered group, or of the drawing.
 ObjectRanges selectableObjects(const Session& session);
 
-/// What an object is called: its id or, without one, its kind and its number ("Rectangle 3").
+/// What an object is called where its kind is seen: its id or, without one, its kind and its number
+/// ("Rectangle 3").
 QString objectName(const Session& session, std::size_t object);
+/// The same in a sentence or a title, always with the kind: "Rectangle 3", "Path “roof”".
+QString objectText(const Session& session, std::size_t object);
 /// Whether a part of the name is what was typed, be the digits of its number grouped or not.
 bool objectNameHas(const Session& session, std::size_t object, const QString& typed);
-/// The selection in words: "Rectangle 3", "3 objects", "Kitchen, group of 3 objects", "2 nodes",
+/// The selection in words: "Path “roof”", "3 objects", "Kitchen, group of 3 objects", "2 nodes",
 /// "nothing selected".
 QString selectionText(const Session& session);
 QString groupName(const Container& group); ///< for people; "Group" if it has no name

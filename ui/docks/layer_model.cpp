@@ -241,7 +241,7 @@ bool LayerModel::show(std::size_t object, bool visible)
         || session_.now().objects()[object].hidden() != visible)
         return false;
     const app::Containers& containers = session_.now().containers();
-    const QString name = app::objectName(session_, object);
+    const QString name = app::objectText(session_, object);
     if (containers.locked(containers.containerOf(object))) {
         emit session_.refused(
             Text::tr("%1 is in a locked layer or group. Unlock that first.").arg(name));

@@ -35,11 +35,8 @@ QString segmentHint(std::size_t segment, const app::Session& session)
                         "Alt+click: one object.")
             .arg(app::groupName(containers[group]),
                  app::countText(containers.rangeOf(group).size()), containers[layer].name);
-    const app::ObjectView object = session.now().objects()[number];
-    const QString name = object.particulars().id.isEmpty() ? app::objectName(session, number)
-                                                           : app::nameOf(object);
     return Text::tr("%1 in %2. Click: select, drag: move, double click: show its nodes.")
-        .arg(name, containers[layer].name);
+        .arg(app::objectText(session, number), containers[layer].name);
 }
 
 } // namespace

@@ -218,6 +218,19 @@ private slots:
         QCOMPARE(selectionText(drawing), QStringLiteral("Path 5"));
         drawing.select({0, 4});
         QCOMPARE(selectionText(drawing), QStringLiteral("2 objects"));
+        const QString named = QStringLiteral("Path “roof”");
+        Drawing other;
+        DocumentBuilder builder;
+        builder.open({});
+        const Subpath triangle{{0, 0}, {{{4, 0}}, {{0, 4}}}, true};
+        builder.add({.path = Path(std::array{triangle}),
+                     .style = {.stroke = Colour{}},
+                     .particulars = {.id = "roof"}});
+        builder.close();
+        other.load({builder.take({}), {}});
+        other.select({0});
+        QCOMPARE(selectionText(other), named);
+        QCOMPARE(app::objectName(other, 0), QStringLiteral("roof")); // beside the picture of a path
         groupSelection(drawing);
         QCOMPARE(selectionText(drawing), QStringLiteral("group of 2 objects"));
     }

@@ -348,6 +348,8 @@ private slots:
         Stage stage(raster, {circle});
         stage.move({120, 51});
         QVERIFY(stage.canvas->toolHint().startsWith("Path “sun” in Drawing."));
+        stage.session.select({0});
+        QCOMPARE(app::selectionText(stage.session), QStringLiteral("Path “sun”"));
     }
 
     void aLineDraggedAtOnceIsInspected()
