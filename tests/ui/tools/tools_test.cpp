@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/recipe_outline.h"
 #include "app/scene/bounds.h"
+#include "app/session/units.h"
 #include "app/session/window_steps.h"
 #include "ui/tools/tool.h"
 
