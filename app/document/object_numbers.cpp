@@ -23,21 +23,24 @@ std::optional<ObjectNumbers::Changed> ObjectNumbers::after(const Edit& edit) con
         return std::nullopt;
     const Numbers added = ofAdded(edit);
     Changed changed;
+    std::size_t removed = 0;
+    for (const Splice& splice : edit.splices)
+        removed += splice.removed;
     Numbers& all = changed.numbers.numbers_;
-    all.reserve(numbers_.size() + added.size());
+    all.resize(numbers_.size() - removed + added.size());
     auto from = numbers_.begin();
     auto next = added.begin();
+    auto to = all.begin();
     for (const Splice& splice : edit.splices) {
         const auto gone = numbers_.begin() + splice.first;
-        all.insert(all.end(), from, gone);
-        all.insert(all.end(), next, next + splice.added);
+        to = std::copy(from, gone, to);
+        to = std::copy_n(next, splice.added, to);
         next += splice.added;
         from = gone + splice.removed;
-        std::for_each(gone, from, [&](std::uint32_t number) {
-            append(changed.removed, {number, 1});
-        });
+        for (auto number = gone; number != from; ++number)
+            append(changed.removed, {*number, 1});
     }
-    all.insert(all.end(), from, numbers_.end());
+    std::copy(from, numbers_.end(), to);
     return changed;
 }
 
