@@ -3,11 +3,14 @@
 
 #include "app/commands/set_containers.h"
 #include "app/commands/set_hidden.h"
+#include "app/document/kept_rows.h"
 #include "app/session/layer_steps.h"
 #include "app/session/units.h"
 #include "ui/look/text.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace ui {
 
@@ -56,6 +59,21 @@ QModelIndex LayerModel::indexOf(app::ContainerId layerOrGroup) const
     return index(int(found - rows_.begin()));
 }
 
+LayerModel::RowKey LayerModel::keyOf(const app::TreeRow& row) const
+{
+    const bool isObject = row.kind == Kind::Object;
+    if (isObject && row.number >= session_.now().objects().size())
+        return {Kind::More, 0}; // the document has changed; follow() will be called
+    return {row.kind, isObject ? session_.document.numbers().of(row.number) : row.container};
+}
+
+QModelIndex LayerModel::indexOf(const RowKey& key) const
+{
+    const auto found =
+        std::ranges::find(rows_, key, [this](const app::TreeRow& row) { return keyOf(row); });
+    return index(int(found - rows_.begin()));
+}
+
 app::ObjectRanges LayerModel::objectsOf(int first, int last) const
 {
     app::ObjectRanges objects;
@@ -85,6 +103,7 @@ void LayerModel::find(const QString& typed)
         return;
     typed_ = typed.simplified();
     most_ = app::ObjectTree::atFirst;
+    showsOld_ = false;
     searchAgain();
     tellChanged({OpenRole});
 }
@@ -94,12 +113,14 @@ void LayerModel::searchAgain()
 {
     search_.reset();
     searching_.stop();
+    isOutdated_ = false;
     if (typed_.isEmpty()) {
         showRows();
         emit foundChanged();
         return;
     }
     search_.emplace(session_, typed_);
+    searched_ = session_.document.revision();
     searching_.start();
     searchOn();
 }
@@ -110,10 +131,20 @@ void LayerModel::searchOn()
     const std::size_t before = search_->found();
     if (search_->advance(atOnce))
         searching_.stop();
+    if (showsOld_ && searching_.isActive() && search_->found() < most_)
+        return;
+    const bool showsOld = std::exchange(showsOld_, false);
     // While it goes on, no row is inserted into those that are seen.
-    if (before < most_ || !searching_.isActive())
+    if (before < most_ || showsOld || !searching_.isActive())
         showRows();
     emit foundChanged();
+}
+
+void LayerModel::setSeen(bool seen)
+{
+    isSeen_ = seen;
+    if (isSeen_ && isOutdated_)
+        searchAgain();
 }
 
 QModelIndex LayerModel::firstFound() const
@@ -166,6 +197,9 @@ std::vector<app::TreeRow> LayerModel::rowsNow() const
 {
     if (!search_)
         return tree_.rows(session_.now().containers());
+    // The selection may change before follow() is called.
+    if (isOutdated_ || showsOld_ || searched_ != session_.document.revision())
+        return rows_;
     auto rows = search_->rows(most_);
     if (search_->found() > most_)
         rows.push_back({Kind::More, rows.back().container, search_->found() - most_, 1});
@@ -199,6 +233,30 @@ void LayerModel::showRows()
     }
     changesRows_ = false;
     emit rowsChanged();
+}
+
+/// What is found stays in the list, by its new numbers, until the new search is done.
+void LayerModel::keepRows(const app::DocumentChange& change)
+{
+    app::KeptRows kept = app::keptRows(rows_, change.splices, session_.now().containers());
+    if (change.again) { // nothing is known of the objects
+        kept.rows.clear();
+        kept.lost.resize(rows_.size());
+        std::iota(kept.lost.begin(), kept.lost.end(), std::size_t(0));
+    }
+    changesRows_ = true;
+    for (auto end = kept.lost.rbegin(); end != kept.lost.rend();) { // runs, from the last one
+        auto first = end;
+        while (first + 1 != kept.lost.rend() && *(first + 1) + 1 == *first)
+            ++first;
+        beginRemoveRows({}, int(*first), int(*end));
+        rows_.erase(rows_.begin() + std::ptrdiff_t(*first),
+                    rows_.begin() + std::ptrdiff_t(*end) + 1);
+        endRemoveRows();
+        end = first + 1;
+    }
+    changesRows_ = false;
+    rows_ = std::move(kept.rows);
 }
 
 bool LayerModel::change(int row, const QVariant& value, int role)
@@ -288,16 +346,23 @@ void LayerModel::follow(const app::DocumentChange& change)
         search_.reset();
         rows_ = rowsNow();
         endResetModel();
-        searchAgain();
+        showsOld_ = false;
+        isOutdated_ = !isSeen_ && !typed_.isEmpty();
+        if (!isOutdated_)
+            searchAgain();
         return;
     }
     if (!change.containers && !change.objects)
         return;
     if (change.containers)
         tree_.forgetGone(session_.now().containers());
-    if (search_)
-        searchAgain();
-    else if (change.containers || tree_.isAnyOpen())
+    if (search_) {
+        keepRows(change);
+        searching_.stop();
+        showsOld_ = isOutdated_ = true;
+        if (isSeen_)
+            searchAgain();
+    } else if (change.containers || tree_.isAnyOpen())
         showRows(); // no reset, because it would close an editor that is open on a name
     tellChanged();
 }

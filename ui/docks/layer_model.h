@@ -7,6 +7,8 @@
 
 #include <QTimer>
 
+#include <utility>
+
 namespace ui {
 
 /// The layers of the drawing, topmost first, with the groups and objects of those that are open: a
@@ -34,6 +36,11 @@ public:
     app::ContainerId layerOf(const QModelIndex& index) const;     ///< 0: the row is no layer
     app::ContainerId layerAround(const QModelIndex& index) const; ///< the layer of any row
     QModelIndex indexOf(app::ContainerId layerOrGroup) const;
+    /// What a row shows: the id of a layer or group, or the number in the name of an object. It
+    /// stays when the drawing changes.
+    using RowKey = std::pair<app::TreeRow::Kind, std::uint32_t>;
+    RowKey keyOf(const app::TreeRow& row) const;
+    QModelIndex indexOf(const RowKey& key) const;
     /// Opens what is around the selection, if that is one object or one group. Its row, or the row
     /// of the innermost layer or group around it that is shown.
     QModelIndex revealSelection();
@@ -48,6 +55,8 @@ public:
     void find(const QString& typed);
     bool finds() const { return search_.has_value(); }
     std::size_t found() const { return search_ ? search_->found() : 0; }
+    /// While the rows are not seen, no change of the drawing starts the search again.
+    void setSeen(bool seen);
     /// The first object or group that is found; else the first row.
     QModelIndex firstFound() const;
     /// The objects of groups and objects in these rows that may be selected.
@@ -78,6 +87,7 @@ private:
     bool show(std::size_t object, bool visible);
     void searchAgain();
     void searchOn();
+    void keepRows(const app::DocumentChange& change);
     QVariant containerCell(const app::TreeRow& row, int role) const;
     QVariant objectCell(const app::TreeRow& row, int role) const;
     QString spoken(const app::TreeRow& row, const QStringList& states) const;
@@ -89,8 +99,11 @@ private:
     std::vector<app::TreeRow> rows_; ///< as last reported to views
     QString typed_;
     std::optional<app::TreeSearch> search_; ///< while something is typed
+    std::uint64_t searched_ = 0;            ///< the document's revision in which it searches
     std::size_t most_ = 0;                  ///< rows of what is found
     QTimer searching_;
+    bool showsOld_ = false; ///< the rows of the search before, until this one has its own
+    bool isSeen_ = true, isOutdated_ = false;
     bool changesRows_ = false;
 };
 

@@ -61,6 +61,8 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
             [this] { model_->removeLayer(session_.pen.layer); });
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& current) {
+                if (const app::TreeRow* row = model_->rowAt(current); row && !model_->changesRows())
+                    current_ = model_->keyOf(*row);
                 const app::ContainerId layer = model_->layerOf(current);
                 if (layer == 0 || model_->changesRows())
                     return;
@@ -69,11 +71,7 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
                 list_->viewport()->update(); // both rows
             });
     connect(model_, &QAbstractItemModel::modelReset, this, &LayersPanel::follow);
-    connect(model_, &LayerModel::rowsChanged, this, [this] {
-        const app::TreeRow* row = model_->rowAt(list_->currentIndex());
-        if (!row || row->kind == app::TreeRow::Kind::Layer)
-            follow();
-    });
+    connect(model_, &LayerModel::rowsChanged, this, &LayersPanel::restoreCurrent);
     connect(&session, &app::Session::loaded, this, &LayersPanel::follow);
     connect(&session, &app::Session::selectionChanged, this, &LayersPanel::reveal);
     connect(search_, &QLineEdit::textChanged, model_, &LayerModel::find);
@@ -96,7 +94,28 @@ void LayersPanel::sayFound()
 void LayersPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    model_->setSeen(true);
     reveal();
+}
+
+void LayersPanel::hideEvent(QHideEvent* event)
+{
+    model_->setSeen(false);
+    QWidget::hideEvent(event);
+}
+
+/// The row of the same object or group, if the list still has it; else that of the current layer.
+void LayersPanel::restoreCurrent()
+{
+    if (current_ && current_->first != app::TreeRow::Kind::Layer)
+        if (const QModelIndex same = model_->indexOf(*current_); same.isValid()) {
+            if (same != list_->currentIndex())
+                list_->setCurrentIndex(same);
+            return;
+        }
+    const app::TreeRow* row = model_->rowAt(list_->currentIndex());
+    if (!row || row->kind == app::TreeRow::Kind::Layer)
+        follow();
 }
 
 /// Opens what is around the selected object or group, unless it was selected here.

@@ -5,6 +5,8 @@
 
 #include <QToolButton>
 
+#include <optional>
+
 namespace ui {
 
 class ColourPopup;
@@ -24,7 +26,9 @@ private:
     void follow();
     void sayFound();
     void reveal();
+    void restoreCurrent();
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
     app::Session& session_;
     LayerModel* model_;
@@ -33,7 +37,8 @@ private:
     QToolButton *add_, *remove_;
     QWidget* row_; ///< the place of a row: never shown, the colours open below it
     ColourPopup* colours_;
-    app::ContainerId coloured_ = 0; ///< the layer for which the colours are open
+    std::optional<LayerModel::RowKey> current_; ///< as it was last chosen
+    app::ContainerId coloured_ = 0;             ///< the layer for which the colours are open
 };
 
 } // namespace ui

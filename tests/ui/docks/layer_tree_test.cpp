@@ -246,6 +246,63 @@ private slots:
         QTest::keyClick(field, Qt::Key_Escape);
         QVERIFY(!field->hasFocus());
     }
+    void theCurrentRowStaysWithItsObject()
+    {
+        Panel panel;
+        panel.window->findChild<SearchField*>()->setText("line");
+        QTRY_COMPARE(panel.rows().size(), 9);
+        panel.click("..Line 5");
+        panel.session().select({2});
+        panel.run("delete");
+        QTRY_COMPARE(panel.rows().size(), 8);
+        QCOMPARE(panel.list->currentIndex().data().toString(), QStringLiteral("Line 5"));
+        panel.run("undo");
+        QTRY_COMPARE(panel.rows().size(), 9);
+        QCOMPARE(panel.list->currentIndex().data().toString(), QStringLiteral("Line 5"));
+    }
+    // The only one that is found lies below so many that the search takes a while.
+    void whatIsFoundStaysInTheListWhileTheSearchGoesOn()
+    {
+        Panel panel;
+        app::DocumentBuilder builder;
+        builder.open({.name = "low"});
+        builder.open({.kind = app::Container::Kind::Group, .name = "pair"});
+        panel.add(builder, 2);
+        builder.close();
+        const app::StyleEntry style = builder.style({.stroke = app::Colour{}});
+        for (int i = 0; i < 300'000; ++i)
+            builder.addLine({{0, 0}, {1, 1}}, style);
+        builder.close();
+        panel.session().load({builder.take({}), {}});
+        auto* field = panel.window->findChild<SearchField*>();
+        auto* model = qobject_cast<LayerModel*>(panel.list->model());
+        field->setText("pair");
+        QTRY_COMPARE(field->accessibleDescription(), QStringLiteral("found: 3"));
+        panel.click(".pair");
+        const QSignalSpy removed(model, &QAbstractItemModel::rowsRemoved);
+        QSignalSpy found(model, &LayerModel::foundChanged);
+        QVERIFY(model->setData(panel.list->currentIndex(), false, LayerModel::VisibleRole));
+        QTRY_VERIFY(!found.isEmpty());
+        QCOMPARE(field->accessibleDescription(), QStringLiteral("found: 3"));
+        QCOMPARE(removed.size(), 0);
+        QCOMPARE(panel.list->currentIndex().data().toString(), QStringLiteral("pair"));
+    }
+    void aHiddenPanelDoesNotSearch()
+    {
+        Panel panel;
+        auto* field = panel.window->findChild<SearchField*>();
+        field->setText("line");
+        QTRY_COMPARE(field->accessibleDescription(), QStringLiteral("found: 6"));
+        panel.list->parentWidget()->hide();
+        const QSignalSpy found(panel.list->model(), SIGNAL(foundChanged()));
+        panel.session().select({2});
+        panel.run("delete");
+        QCoreApplication::processEvents();
+        QCOMPARE(found.size(), 0);
+        panel.list->parentWidget()->show();
+        QTRY_COMPARE(field->accessibleDescription(), QStringLiteral("found: 5"));
+        QCOMPARE(panel.rows().size(), 8);
+    }
     // Below the last row is no layer.
     void objectsThatAreDroppedNowhereStay()
     {
