@@ -276,14 +276,14 @@ private slots:
         panel.session().load({builder.take({}), {}});
         auto* field = panel.window->findChild<SearchField*>();
         auto* model = qobject_cast<LayerModel*>(panel.list->model());
-        field->setText("pair");
-        QTRY_COMPARE(field->accessibleDescription(), QStringLiteral("found: 3"));
+        field->setText("pair 2"); // every number is looked at
+        QTRY_COMPARE(field->accessibleDescription(), QStringLiteral("found: 1"));
         panel.click(".pair");
         const QSignalSpy removed(model, &QAbstractItemModel::rowsRemoved);
         QSignalSpy found(model, &LayerModel::foundChanged);
         QVERIFY(model->setData(panel.list->currentIndex(), false, LayerModel::VisibleRole));
         QTRY_VERIFY(!found.isEmpty());
-        QCOMPARE(field->accessibleDescription(), QStringLiteral("found: 3"));
+        QCOMPARE(field->accessibleDescription(), QStringLiteral("found: 1"));
         QCOMPARE(removed.size(), 0);
         QCOMPARE(panel.list->currentIndex().data().toString(), QStringLiteral("pair"));
     }
