@@ -66,10 +66,9 @@ std::vector<WindowTag> windowTags(const HeldTool& held, const QFont& font)
         const QRectF place = placeOf(list[i], held.view(), width);
         if (place.intersects({0, 0, room.x, room.y}))
             tags.push_back({place, text,
-                             app::replacing(session.windows(), i)
-                                 ? held.bench().look.muted
-                                 : colourOf(list[i], held.bench()),
-                             i});
+                            app::replacing(session.windows(), i) ? held.bench().look.muted
+                                                                 : colourOf(list[i], held.bench()),
+                            i});
     }
     return tags;
 }

@@ -110,7 +110,13 @@ void DockTitle::setFoldable(bool foldable)
     layout()->setContentsMargins(space::dockMargin - (foldable ? besideArrow : 0), 0, 4, 0);
 }
 
-void DockTitle::showFolded(bool folded) { chevron_->show(folded, dock_.windowTitle()); }
+// Of a folded section the buttons appear with the focus: the way back would miss them.
+void DockTitle::showFolded(bool folded)
+{
+    chevron_->show(folded, dock_.windowTitle());
+    for (QToolButton* button : aside_->findChildren<QToolButton*>())
+        button->setFocusPolicy(folded ? Qt::NoFocus : Qt::TabFocus);
+}
 
 void DockTitle::addButton(QAction* action, QLayout& row)
 {

@@ -289,10 +289,7 @@ std::vector<ActionInfo> removedRows()
     };
 }
 
-std::vector<ActionInfo> panelRows()
-{
-    return {{.text = Text::tr("Panels"), .fill = addPanels}};
-}
+std::vector<ActionInfo> panelRows() { return {{.text = Text::tr("Panels"), .fill = addPanels}}; }
 
 } // namespace
 

@@ -26,8 +26,8 @@ struct Setting {
     std::function<int(const MainWindow&)> standard{};
     /// Sets the standard where this may be none of the choices; empty: `set` does.
     std::function<void(MainWindow&)> reset{};
-    /// Of a part of the setting above it: whether that one is on, so that the part counts. Empty: it
-    /// is no part.
+    /// Of a part of the setting above it: whether that one is on, so that the part counts. Empty:
+    /// it is no part.
     std::function<bool(const MainWindow&)> counts{};
     /// Whether no menu has it: the palette finds its commands anyway.
     bool isOnlyHere = true;

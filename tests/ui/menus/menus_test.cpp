@@ -122,10 +122,10 @@ private slots:
         app::Session& session = t.window->session();
         const QString name = QStringLiteral("{move} ({zzz})");
         app::addWindow(session, {.name = name, .shape = app::RectangleShape{{{10, 10}, {30, 40}}}});
-        QCOMPARE(t.action("window-cuts-out")->statusTip(),
-                 name + " is the first window, so it can only add.");
-        app::setWindowOperation(session, 0, app::WindowOperation::CutOut);
-        QCOMPARE(t.window->message(), name + " is the first window, so it can only add.");
+        const QString why = "No clip window is above " + name + ".";
+        QCOMPARE(t.action("window-intersects")->statusTip(), why);
+        app::setWindowOperation(session, 0, app::WindowOperation::Intersect);
+        QCOMPARE(t.window->message(), why);
         t.window->canvas().transform(app::transformations().front());
         QVERIFY2(t.window->message().contains("(V)"), qPrintable(t.window->message()));
     }
