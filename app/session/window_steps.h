@@ -45,8 +45,8 @@ void reorderWindow(Session& session, std::size_t from, std::size_t to);
 void changeWindow(Session& session, std::size_t number, const QString& text,
                   const std::function<void(ClipWindow&)>& change);
 
-/// Sets the operation of a window. The step is called "Cut out Star 2". The first window can only
-/// add: anything else is refused by `Session::refused`.
+/// Sets the operation of a window. The step is called "Cut out Star 2". Refused where there is no
+/// window above for it (whyNot()).
 void setWindowOperation(Session& session, std::size_t number, WindowOperation operation);
 
 /// One clip window for each selected object that encloses an area. Open paths are closed.

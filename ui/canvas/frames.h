@@ -6,8 +6,6 @@
 #include "ui/canvas/text_boxes.h"
 #include "ui/tools/workbench.h"
 
-#include <QTimer>
-
 #include <chrono>
 #include <memory>
 #include <optional>

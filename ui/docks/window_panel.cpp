@@ -57,6 +57,9 @@ QWidget* WindowPanel::makeList()
     column->addWidget(makeKeep());
     column->addWidget(list_);
     column->addWidget(fields_);
+    QSizePolicy keepsPlace = fields_->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    fields_->setSizePolicy(keepsPlace);
     return page;
 }
 
@@ -142,6 +145,7 @@ void WindowPanel::follow()
 {
     pages_->setCurrentIndex(session_.windows().list.empty() ? 1 : 0);
     keep_->choose(int(session_.windows().keep));
+    fields_->setVisible(session_.windowNumber().has_value()); // of a hidden one there are none
     constexpr std::size_t most = 6; // then the list scrolls: about half of a low column
     const std::size_t rows = std::clamp<std::size_t>(session_.windows().list.size(), 1, most);
     list_->setFixedHeight(int(rows) * space::rowHeight);

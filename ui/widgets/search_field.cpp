@@ -9,8 +9,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 
-#include <algorithm>
-
 namespace ui {
 
 SearchField::SearchField(const QString& what, QWidget* parent)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/variant.h"
+#include "app/session/window_steps.h"
 #include "ui/bars/option_bar.h"
 #include "ui/bars/status_bar.h"
 #include "ui/canvas/ruler.h"
@@ -64,6 +65,26 @@ private slots:
         session.history.undo();
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{0, 0}, {100, 100}}));
         QCOMPARE(fields[0]->text(), "0.00");
+    }
+    void aHiddenWindowHasNoNumbers()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        t.show();
+        app::Session& session = t.window->session();
+        auto* panel = t.window->findChild<WindowPanel*>();
+        const LengthField& field = *panel->findChildren<LengthField*>().front();
+        QVERIFY(field.isVisible());
+        const int height = panel->sizeHint().height();
+        const auto show = [&session](bool visible) {
+            app::changeWindow(session, 0, "Eye",
+                              [&](app::ClipWindow& window) { window.visible = visible; });
+        };
+        show(false); // they were those of the page
+        QVERIFY(!session.windowNumber() && !field.isVisible());
+        QCOMPARE(panel->sizeHint().height(), height);
+        show(true);
+        QVERIFY(field.isVisible());
     }
     void quickStepsOfAFieldAreOneUndoStep()
     {
