@@ -68,9 +68,9 @@ private slots:
             add(steps, {press("Add layer"), enter()});
             add(steps, another(corner));
         }
-        add(steps, {key("Ctrl+Alt+2"), dragRow(list, "Layer 3", "Layer 2"),
-                    dragRow(list, "Layer 2", "Drawing"), clickRow(list, "Layer 4"), key("Alt+Down"),
-                    clickRow(list, "Layer 2", 18), key("Ctrl+A"), key("Right")});
+        add(steps, {dragRow(list, "Layer 3", "Layer 2"), dragRow(list, "Layer 2", "Drawing"),
+                    clickRow(list, "Layer 4"), key("Alt+Down"), clickRow(list, "Layer 2", 18),
+                    key("Ctrl+A"), key("Right")});
         check(steps, {box({81, 90}), box({41, 50}), box({80, 50}), box({40, 90})});
     }
     void recoloured()

@@ -64,9 +64,8 @@ private slots:
     {
         Steps steps;
         rectangle(steps, "10,10", "30", "15");
-        const Steps more{key("V"),  click({20, 10}), key("Ctrl+Shift+D"), type("4"), tab(),
-                         type("5"), tab(),           type("3"),           tab(),     type("3"),
-                         enter()};
+        const Steps more{key("Ctrl+Shift+D"), type("4"), tab(),     type("5"), tab(),
+                         type("3"),           tab(),     type("3"), enter()};
         steps.insert(steps.end(), more.begin(), more.end());
         Table labels;
         for (int row = 0; row < 4; ++row)
@@ -133,12 +132,15 @@ private slots:
     void sameSize()
     {
         Steps steps;
-        rectangle(steps, "20,20", "10", "15");
+        const auto square = [&steps](const char* corner, const char* side) {
+            add(steps, {key("R"), type(corner), enter(), type(side), enter()});
+        };
+        square("20,20", "15");
         rectangle(steps, "20,50", "35", "16");
-        rectangle(steps, "80,20", "20", "17");
-        rectangle(steps, "80,50", "40", "18");
+        square("80,20", "17");
+        square("80,50", "18");
         add(steps, {key("V"), click({25, 20}), click({90, 20}, Qt::ShiftModifier),
-                    click({100, 50}, Qt::ShiftModifier), click({40, 50}, Qt::ShiftModifier),
+                    click({90, 50}, Qt::ShiftModifier), click({40, 50}, Qt::ShiftModifier),
                     key("Alt+O"), type("a"), type("w")});
         check(steps, boxes({{{20, 20}, {55, 35}},
                             {{20, 50}, {55, 66}},
