@@ -7,9 +7,9 @@
 
 namespace app {
 
-/// What a list of rows keeps when the document changes: the rows of objects, groups and layers that
-/// are still there, objects by their new numbers. An object that was moved in the painting order is
-/// left out, like one that was removed.
+/// The rows of a list after a change of the document: those of objects, groups and layers that are
+/// still there, with the new numbers of objects. An object that was moved in the painting order is
+/// lost, like one that was removed.
 struct KeptRows {
     std::vector<std::size_t> lost{}; ///< ascending places in the list
     std::vector<TreeRow> rows{};     ///< the others

@@ -49,7 +49,8 @@ std::span<const WindowOperationInfo> windowOperations()
                             Text::tr("Keep what the window has in common with those above it"),
                             Text::tr("Intersect with %1"),
                             Text::tr("intersect %1"),
-                            {2, 3}},
+                            {2, 3},
+                            true},
         WindowOperationInfo{WindowOperation::Replace,
                             "replace",
                             "window-replaces",
@@ -62,7 +63,8 @@ std::span<const WindowOperationInfo> windowOperations()
                             Text::tr("Let the window count alone: those above it have no effect"),
                             Text::tr("Replace with %1"),
                             Text::tr("replace by %1"),
-                            {}},
+                            {},
+                            true},
     };
     return all;
 }

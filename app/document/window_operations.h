@@ -26,6 +26,7 @@ struct WindowOperationInfo {
     QString step;               ///< of undo, with a place for the window's name: "Cut out %1"
     QString phrase;             ///< the same in a sentence: "cut out %1"
     std::vector<double> dashes; ///< of the window's outline, in pixels; empty: it is solid
+    bool needsOneAbove = false; ///< the first window cannot get it
 };
 
 // THE CATALOGUE, in the order of WindowOperation.

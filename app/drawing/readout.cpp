@@ -276,7 +276,7 @@ Point Readout::end(const Point& pointer) const
     Held held = held_;
     if (gauge_.alike && held[0].has_value() != held[1].has_value())
         held[held[0] ? 1 : 0] = std::abs(*(held[0] ? held[0] : held[1]));
-    // What is not typed stays as it was.
+    // A number that is not typed keeps its value of the aim.
     for (std::size_t field = 0; field < held.size(); ++field)
         if (!held[field] && !gauge_.measure->equal)
             held[field] = gauge_.aim->numbers[field];

@@ -11,8 +11,8 @@ namespace app {
 /// once; empty in a program without a QGuiApplication.
 const QStringList& outlineFonts();
 
-/// Of what is asked for, what the family has; nothing of a font of strokes. Qt would slant and
-/// thicken other letters by itself, which nobody designed.
+/// The nearest to the wanted face among those that the family has; plain for a font of strokes. For
+/// any other face Qt would slant or thicken the plain letters by itself.
 FontFace faceOf(const QString& family, const FontFace& wanted);
 
 /// Whether letters can be written in this font: one of strokes, or an installed one.

@@ -24,8 +24,8 @@ QString nameForNew(const Session& session); ///< of the entered group or layer, 
 /// All objects that may be selected: those of the entered group, or of the drawing.
 ObjectRanges selectableObjects(const Session& session);
 
-/// What an object is called where its kind is seen: its id or, without one, its kind and its number
-/// ("Rectangle 3").
+/// The short name of an object, for places that show its kind by an icon: its id, or else its kind
+/// and its number ("Rectangle 3").
 QString objectName(const Session& session, std::size_t object);
 /// The same in a sentence or a title, always with the kind: "Rectangle 3", "Path “roof”".
 QString objectText(const Session& session, std::size_t object);

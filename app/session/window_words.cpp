@@ -125,10 +125,8 @@ QString replacedText(const ClipWindows& windows, std::size_t number)
 
 QString whyNot(const ClipWindows& windows, std::size_t number, WindowOperation operation)
 {
-    const bool needsOne =
-        operation == WindowOperation::Intersect || operation == WindowOperation::Replace;
     const ClipWindow& window = windows.list[number];
-    return number > 0 || !needsOne || window.operation == operation
+    return number > 0 || !infoOf(operation).needsOneAbove || window.operation == operation
                ? QString()
                : Text::tr("No clip window is above %1.").arg(nameOf(window));
 }

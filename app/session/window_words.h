@@ -24,8 +24,8 @@ QString nameOf(const ObjectView& object);
 std::string_view iconOf(const WindowShape& shape);
 std::string_view iconOf(const ObjectView& object);
 
-/// What the windows that have an effect make together: "Old town − Market hall + Star"; "everything
-/// − Market hall" if the first one does not add. Empty without a visible window.
+/// The formula of the windows that have an effect: "Old town − Market hall + Star"; "everything −
+/// Market hall" if the first one does not add. Empty without a visible window.
 QString resultOf(const ClipWindows& windows);
 /// "without effect: Star 2 replaces it"; empty for any other window.
 QString replacedText(const ClipWindows& windows, std::size_t number);
@@ -39,8 +39,8 @@ QString whyNot(const ClipWindows& windows, std::size_t number, WindowOperation o
 /// numbers of a comparison are not those of the picture. Empty otherwise.
 QString comparedName(const Session& session);
 
-/// What keys are for, in words: "Star 2, clip window" if they are for the clip window, else "3
-/// objects, selected", "nothing selected".
+/// The name of what keys act on, for screen readers: "Star 2, clip window" if that is the clip
+/// window, else "3 objects, selected", "nothing selected".
 QString chosenText(const Session& session, bool forWindow);
 
 /// For captions: that nothing is compared, and why; that the drawing is compared at the page, or

@@ -49,7 +49,7 @@ public:
     void reset(std::size_t command);
     void reset(); ///< all commands
 
-    /// What differs from the standard: for each command its name and its keys, between tabs.
+    /// The commands with other keys than the standard ones: name and keys of each, between tabs.
     QStringList saved() const;
     /// How many entries of the settings were ignored, all or in part.
     int ignored() const { return ignored_; }

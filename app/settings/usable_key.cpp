@@ -15,7 +15,7 @@ constexpr std::array modifierKeys{Qt::Key_Shift,   Qt::Key_Control,    Qt::Key_M
                                   Qt::Key_Alt,     Qt::Key_AltGr,      Qt::Key_CapsLock,
                                   Qt::Key_NumLock, Qt::Key_ScrollLock, Qt::Key_Super_L,
                                   Qt::Key_Super_R, Qt::Key_Hyper_L,    Qt::Key_Hyper_R};
-/// What these do is the same everywhere: they move the focus, confirm, cancel, and move the view.
+/// Keys with one meaning in the whole program: they move the focus, confirm, cancel, move the view.
 constexpr std::array everywhere{Qt::Key_Escape, Qt::Key_Tab,   Qt::Key_Backtab,
                                 Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space};
 constexpr std::array arrows{Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/node_row.h"
 
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/elements.h"
@@ -47,9 +48,7 @@ private:
     QString tip() const
     {
         const QAction& action = *defaultAction();
-        const QString key = action.shortcut().toString(QKeySequence::NativeText);
-        const QString name =
-            key.isEmpty() ? action.iconText() : Text::tr("%1 (%2)").arg(action.iconText(), key);
+        const QString name = nameWithKey(action.iconText(), action);
         return action.isEnabled() ? name : name + u'\n' + action.statusTip();
     }
 };

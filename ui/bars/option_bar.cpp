@@ -38,9 +38,7 @@ constexpr int steps = 8;
 void showKeyInTip(QAction& action)
 {
     const auto refresh = [&action] {
-        const QString text = action.text().remove(u'&').remove(u'…');
-        const QString key = action.shortcut().toString(QKeySequence::NativeText);
-        action.setToolTip(key.isEmpty() ? text : Text::tr("%1 (%2)").arg(text, key));
+        action.setToolTip(nameWithKey(action.text().remove(u'&').remove(u'…'), action));
     };
     QObject::connect(&action, &QAction::changed, &action, refresh);
     refresh();
@@ -129,7 +127,7 @@ bool OptionBar::rests() const
     return has(ToolInfo::Options::Arranging) && session_.selection().empty();
 }
 
-/// What is chosen has its controls here, if the person wants that.
+/// The capsule of a chosen clip window or of selected objects, if the person wants it in the bar.
 void OptionBar::addCapsule()
 {
     canvas_.setCapsuleBar(*capsule_);

@@ -2,6 +2,7 @@
 #include "ui/bars/tool_bar.h"
 
 #include "app/base/text.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -36,10 +37,7 @@ QAction* ToolBar::makeAction(const ToolInfo& tool)
     action->setObjectName(QStringLiteral("tool-") + app::latin(tool.key));
     action->setShortcut(tool.shortcut);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    const auto showKey = [action, &tool] {
-        const QString key = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(key.isEmpty() ? tool.name : Text::tr("%1 (%2)").arg(tool.name, key));
-    };
+    const auto showKey = [action, &tool] { action->setToolTip(nameWithKey(tool.name, *action)); };
     connect(action, &QAction::changed, action, showKey);
     showKey();
     action->setCheckable(true);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/left_alone_mark.h"
 
+#include "app/scene/window_needs.h"
+#include "ui/canvas/window_overlay.h"
+#include "ui/canvas/window_tags.h"
 #include "ui/look/text.h"
 
 #include <QPainter>
@@ -42,23 +45,8 @@ QRectF placeFor(const QSizeF& size, const QRectF& window, const QRectF& room,
     return {};
 }
 
-} // namespace
-
-void paintLeftAlone(QPainter& painter, const Controller& controller, const QPainterPath& outline)
-{
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    QColor fade = controller.pageColour();
-    fade.setAlphaF(fading);
-    const bool ghosted = controller.session().display().removed == app::RemovedPart::Ghosted;
-    QPen dots(controller.paperLook().accent, 1, Qt::SolidLine, Qt::FlatCap);
-    dots.setDashPattern({2, 3});
-    painter.setPen(dots);
-    painter.setBrush(ghosted ? QBrush(fade) : QBrush(Qt::NoBrush));
-    painter.drawPath(outline);
-    painter.restore();
-}
-
+/// Paints the box that says why: in the middle of such a window, or beside it if that is too
+/// small. It does not cover what is `taken`; without another place there is no box.
 void paintWhyLeftAlone(QPainter& painter, const Controller& controller, const QRectF& window,
                        const QString& why, std::span<const QRectF> taken)
 {
@@ -88,6 +76,41 @@ void paintWhyLeftAlone(QPainter& painter, const Controller& controller, const QR
     painter.setPen(look.muted);
     painter.drawText(text, Qt::AlignHCenter | Qt::AlignBottom, why);
     painter.restore();
+}
+
+} // namespace
+
+void paintLeftAlone(QPainter& painter, const Controller& controller, const QPainterPath& outline)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor fade = controller.pageColour();
+    fade.setAlphaF(fading);
+    const bool ghosted = controller.session().display().removed == app::RemovedPart::Ghosted;
+    QPen dots(controller.paperLook().accent, 1, Qt::SolidLine, Qt::FlatCap);
+    dots.setDashPattern({2, 3});
+    painter.setPen(dots);
+    painter.setBrush(ghosted ? QBrush(fade) : QBrush(Qt::NoBrush));
+    painter.drawPath(outline);
+    painter.restore();
+}
+
+void paintReasons(QPainter& painter, const Controller& controller, const Pane& pane)
+{
+    if (!hasReasons(pane))
+        return;
+    const auto& steps = controller.session().region().steps;
+    for (const std::size_t step : pane.leftAlone) {
+        std::vector<QRectF> taken;
+        for (std::size_t other = 0; other < steps.size(); ++other)
+            if (other != step)
+                taken.push_back(boxOnScreen(controller.view(), steps[other].box));
+        if (pane.active)
+            for (const WindowTag& tag : windowTags(controller.held(), painter.font()))
+                taken.push_back(tag.place);
+        paintWhyLeftAlone(painter, controller, boxOnScreen(controller.view(), steps[step].box),
+                          app::limitText(pane.choice, app::needsOf(steps[step])), taken);
+    }
 }
 
 } // namespace ui

@@ -19,9 +19,8 @@ inline bool hasReasons(const Pane& pane)
 /// its inside faded.
 void paintLeftAlone(QPainter& painter, const Controller& controller, const QPainterPath& outline);
 
-/// Paints the box that says why: in the middle of such a window, or beside it if that is too
-/// small. It does not cover what is `taken`; without another place there is no box.
-void paintWhyLeftAlone(QPainter& painter, const Controller& controller, const QRectF& window,
-                       const QString& why, std::span<const QRectF> taken);
+/// A box for each window that the pane's variant leaves alone, which says why. It covers neither
+/// another window nor a name.
+void paintReasons(QPainter& painter, const Controller& controller, const Pane& pane);
 
 } // namespace ui

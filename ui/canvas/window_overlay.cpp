@@ -5,7 +5,6 @@
 #include "app/document/window_outline.h"
 #include "app/document/window_shape.h"
 #include "app/scene/area_windows.h"
-#include "app/scene/window_needs.h"
 #include "app/session/window_in_hand.h"
 #include "app/view/frame_handles.h"
 #include "app/view/window_borders.h"
@@ -23,13 +22,7 @@
 #include <cmath>
 
 namespace ui {
-namespace {
 
-constexpr double usualOutline = 1.5, outlineHovered = 2.5, casing = 1; // pixels
-constexpr double handleSize = 9;
-
-// The window in screen coordinates, limited to the visible range, because painters fail with
-// coordinates like 1e9.
 QRectF boxOnScreen(const app::View& view, const clipping::Window& window)
 {
     const app::Point room(64), least = -room, most = view.size + room;
@@ -38,7 +31,12 @@ QRectF boxOnScreen(const app::View& view, const clipping::Window& window)
     return {QPointF(min.x, min.y), QPointF(max.x, max.y)};
 }
 
-QRectF boxOnScreen(const Controller& controller)
+namespace {
+
+constexpr double usualOutline = 1.5, outlineHovered = 2.5, casing = 1; // pixels
+constexpr double handleSize = 9;
+
+QRectF boxInHand(const Controller& controller)
 {
     return boxOnScreen(controller.view(), *controller.clipWindow());
 }
@@ -161,26 +159,6 @@ void paintBorder(QPainter& painter, const Controller& controller, const QPainter
 bool leavesAlone(const Pane& pane, std::size_t step)
 {
     return std::ranges::binary_search(pane.leftAlone, step);
-}
-
-/// A box for each window that the pane's variant leaves alone. It covers neither another window nor
-/// a name.
-void paintReasons(QPainter& painter, const Controller& controller, const Pane& pane)
-{
-    if (!hasReasons(pane))
-        return;
-    const auto& steps = controller.session().region().steps;
-    for (const std::size_t step : pane.leftAlone) {
-        std::vector<QRectF> taken;
-        for (std::size_t other = 0; other < steps.size(); ++other)
-            if (other != step)
-                taken.push_back(boxOnScreen(controller.view(), steps[other].box));
-        if (pane.active)
-            for (const WindowTag& tag : windowTags(controller.held(), painter.font()))
-                taken.push_back(tag.place);
-        paintWhyLeftAlone(painter, controller, boxOnScreen(controller.view(), steps[step].box),
-                          app::limitText(pane.choice, app::needsOf(steps[step])), taken);
-    }
 }
 
 /// The outline of a window without effect: the box around one of many points, as it is no step of
@@ -351,7 +329,7 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     }
     paintBorders(painter, controller, pane, shown);
     paintReasons(painter, controller, pane);
-    const QRectF window = boxOnScreen(controller);
+    const QRectF window = boxInHand(controller);
     if (pane.active)
         paintTags(painter, controller.held());
     if (!isFurnished(controller, pane, window))
@@ -363,7 +341,7 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
 
 QRectF windowBox(const Controller& controller)
 {
-    QRectF box = boxOnScreen(controller);
+    QRectF box = boxInHand(controller);
     for (const QRectF& handle : handleBoxes(controller))
         box |= handle;
     return box;
@@ -383,7 +361,7 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
 {
     if (!controller.clipWindow())
         return {offeredHandle(controller.held())};
-    const QRectF window = boxOnScreen(controller);
+    const QRectF window = boxInHand(controller);
     std::vector<QRectF> places{QRectF(window.topLeft(), QSizeF(window.width(), 0)),
                                QRectF(window.bottomLeft(), QSizeF(window.width(), 0)),
                                QRectF(window.topLeft(), QSizeF(0, window.height())),

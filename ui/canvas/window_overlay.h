@@ -5,6 +5,10 @@
 
 namespace ui {
 
+/// A box in screen coordinates, limited to the visible range, because painters fail with
+/// coordinates like 1e9.
+QRectF boxOnScreen(const app::View& view, const clipping::Window& window);
+
 /// The outlines that are long; the picture shows them.
 std::vector<app::BorderLine> longBorders(const Workbench& bench, const Pane& pane);
 /// Paints the clip window: its outline with a casing, unless it is long, and, in the active pane,

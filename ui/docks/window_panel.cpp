@@ -11,6 +11,7 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/buttons.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/segments.h"
 
 #include <QLabel>
@@ -57,9 +58,7 @@ QWidget* WindowPanel::makeList()
     column->addWidget(makeKeep());
     column->addWidget(list_);
     column->addWidget(fields_);
-    QSizePolicy keepsPlace = fields_->sizePolicy();
-    keepsPlace.setRetainSizeWhenHidden(true);
-    fields_->setSizePolicy(keepsPlace);
+    keepPlaceWhenHidden(*fields_);
     return page;
 }
 

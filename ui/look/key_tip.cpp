@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/key_tip.h"
 
+#include "ui/look/text.h"
+
 namespace ui {
 
 KeyNews& KeyNews::get()
@@ -24,6 +26,12 @@ void followKeys(QObject& widget, const std::function<void()>& refresh)
 void setKeyTip(QWidget& widget, const QString& text)
 {
     followKeys(widget, [&widget, text] { widget.setToolTip(app::withKeys(text)); });
+}
+
+QString nameWithKey(const QString& name, const QAction& action)
+{
+    const QString key = action.shortcut().toString(QKeySequence::NativeText);
+    return key.isEmpty() ? name : Text::tr("%1 (%2)").arg(name, key);
 }
 
 } // namespace ui

@@ -3,6 +3,7 @@
 
 #include "app/base/keys_in_use.h"
 
+#include <QAction>
 #include <QWidget>
 
 #include <functional>
@@ -26,5 +27,8 @@ void followKeys(QObject& widget, const std::function<void()>& refresh);
 
 /// A tooltip that names keys: "Show the grid ({grid})".
 void setKeyTip(QWidget& widget, const QString& text);
+
+/// A name with the first key of an action, if it has one: "Fit drawing (Shift+1)".
+QString nameWithKey(const QString& name, const QAction& action);
 
 } // namespace ui

@@ -127,9 +127,7 @@ void KeyboardPage::addFields(QVBoxLayout& column)
     answer_->setAlignment(Qt::AlignTop);
     answer_->setMinimumHeight(lines * fontMetrics().lineSpacing());
     grid->addWidget(answer_);
-    QSizePolicy policy = takeOver_->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    takeOver_->setSizePolicy(policy);
+    keepPlaceWhenHidden(*takeOver_);
     takeOver_->hide(); // until a key is offered
     grid->addWidget(takeOver_, 0, Qt::AlignLeft);
     column.addLayout(grid);

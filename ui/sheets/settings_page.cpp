@@ -111,9 +111,7 @@ void SettingsPage::addReset(const Setting& setting, QGridLayout& grid, int row)
     auto* button = iconButton("undo", Text::tr("Reset “%1” to standard").arg(name));
     button->setObjectName(QStringLiteral("reset-") + setting.key);
     button->setFocusPolicy(Qt::TabFocus);
-    QSizePolicy policy = button->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    button->setSizePolicy(policy);
+    keepPlaceWhenHidden(*button);
     grid.addWidget(button, row, 2);
     connect(button, &QToolButton::clicked, this, [this, &setting] {
         focusNextChild(); // it is about to be hidden

@@ -20,6 +20,14 @@ inline QFrame* rule(Qt::Orientation orientation)
     return line;
 }
 
+/// Lets a widget keep its place while it is hidden, so that nothing moves.
+inline void keepPlaceWhenHidden(QWidget& widget)
+{
+    QSizePolicy policy = widget.sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget.setSizePolicy(policy);
+}
+
 /// Calls `refresh` when the language of the numbers that a widget shows has changed.
 class LanguageFollower : public QObject {
 public:

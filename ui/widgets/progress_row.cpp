@@ -4,6 +4,7 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/buttons.h"
+#include "ui/widgets/elements.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,13 +16,6 @@ namespace {
 
 constexpr int barWidth = 180, barHeight = 8, aboveAndBelow = 6; // logical pixels
 constexpr int steps = 1000;                                     // of the bar
-
-void keepPlaceWhenHidden(QWidget& widget)
-{
-    QSizePolicy policy = widget.sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    widget.setSizePolicy(policy);
-}
 
 } // namespace
 

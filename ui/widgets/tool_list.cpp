@@ -8,8 +8,6 @@
 
 namespace ui {
 
-ToolList::ToolList(QWidget* parent) : QComboBox(parent) { view()->installEventFilter(this); }
-
 bool ToolList::takesLetter(QEvent& event)
 {
     if (event.type() != QEvent::ShortcutOverride)
@@ -29,6 +27,7 @@ bool ToolList::eventFilter(QObject* watched, QEvent* event)
 void ToolList::showPopup()
 {
     open_ = true;
+    view()->installEventFilter(this); // only now: Qt makes the view when it is asked for
     QComboBox::showPopup();
 }
 

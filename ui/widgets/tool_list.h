@@ -12,7 +12,7 @@ class ToolList : public QComboBox {
     Q_OBJECT
 
 public:
-    explicit ToolList(QWidget* parent = nullptr);
+    using QComboBox::QComboBox;
 
     void showPopup() override;
     void hidePopup() override;

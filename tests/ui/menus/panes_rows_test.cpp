@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/option_bar.h"
 #include "ui/docks/dock.h"
-#include "ui/menus/next_part.h"
 
 #include <QApplication>
 
 #include "tests/test_class.h"
 #include "tests/ui/test_window.h"
 
-namespace menus_next_part_test {
+namespace menus_panes_rows_test {
 
 using namespace ui;
 
-class NextPartTest : public QObject {
+class PanesRowsTest : public QObject {
     Q_OBJECT
 
     static QString place(const TestWindow& t)
@@ -50,7 +49,7 @@ private slots:
     }
 };
 
-} // namespace menus_next_part_test
+} // namespace menus_panes_rows_test
 
-TEST_CLASS(menus_next_part_test::NextPartTest, Widgets)
-#include "tests/ui/menus/next_part_test.moc"
+TEST_CLASS(menus_panes_rows_test::PanesRowsTest, Widgets)
+#include "tests/ui/menus/panes_rows_test.moc"
