@@ -82,8 +82,13 @@ public:
             QWidget* waiting = inFront();
             if (qobject_cast<QFileDialog*>(waiting)) // also one that a click opens a moment later
                 return void(waiting->close());
-            if (!waiting || !acting_)
+            if (!waiting)
                 return;
+            // A menu that a button opens on its own, a while after a press, has its event loop
+            // between two events.
+            constexpr int aSecond = 50;
+            if (!acting_)
+                return void(++ticksBetween_ > aSecond && waiting->close());
             if (std::exchange(answered_, true))
                 return void(waiting->close());
             // Not from here: what opens another dialog would wait for this timer, which Qt does not
@@ -104,6 +109,7 @@ public:
     {
         acting_ = true;
         answered_ = false;
+        ticksBetween_ = 0;
         QWidget* front = inFront();
         const QString what = !front ? send() : below(4) ? somewhere(*front) : closed(*front);
         acting_ = false;
@@ -450,6 +456,7 @@ private:
     QList<QPointer<QAction>> actions_;
     QStringList files_;
     QTimer closer_;
+    int ticksBetween_ = 0;
     bool acting_ = false, answered_ = false;
     app::Sheet start_;
 };
