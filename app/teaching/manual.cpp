@@ -5,6 +5,7 @@
 #include "clipping/pseudo_code.h"
 
 #include <QFile>
+#include <QHash>
 #include <QRegularExpression>
 
 namespace app {
@@ -30,17 +31,46 @@ std::optional<ManualPage> manualPage(const QString& topic)
     QFile file(folder + topic + ending);
     if (topic.contains(u'/') || !file.open(QIODevice::ReadOnly))
         return std::nullopt;
-    const QString markdown = QString::fromUtf8(file.readAll()).remove(comment).trimmed();
-    return ManualPage{topic, markdown.section(u'\n', 0, 0).mid(2), markdown};
+    QString markdown = QString::fromUtf8(file.readAll());
+    static const QRegularExpression explains(QStringLiteral("<!-- explains:([^>]*)-->"));
+    const QStringList commands =
+        explains.match(markdown).captured(1).simplified().split(u' ', Qt::SkipEmptyParts);
+    markdown = markdown.remove(comment).trimmed();
+    return ManualPage{topic, markdown.section(u'\n', 0, 0).mid(2), markdown, commands};
+}
+
+std::vector<ManualPart> manualParts()
+{
+    const QString heading = QStringLiteral("## ");
+    std::vector<ManualPart> parts;
+    const auto index = manualPage(manualIndex);
+    for (const QString& line : index ? index->markdown.split(u'\n') : QStringList())
+        if (line.startsWith(heading))
+            parts.push_back({line.mid(heading.size()), {}});
+        else if (const auto link = pageLinks().match(line); link.hasMatch() && !parts.empty())
+            parts.back().topics << link.captured(2);
+    return parts;
 }
 
 QStringList manualTopics()
 {
     QStringList topics{manualIndex};
-    if (const auto index = manualPage(manualIndex))
-        for (auto links = pageLinks().globalMatch(index->markdown); links.hasNext();)
-            topics << links.next().captured(2);
+    for (const ManualPart& part : manualParts())
+        topics << part.topics;
     return topics;
+}
+
+QString topicExplaining(const QString& command)
+{
+    static const QHash<QString, QString> topics = [] {
+        QHash<QString, QString> all;
+        for (const QString& topic : manualTopics())
+            if (const auto page = manualPage(topic))
+                for (const QString& one : page->explains)
+                    all[one] = topic;
+        return all;
+    }();
+    return topics.value(command);
 }
 
 QString topicOfPage(const QString& link)

@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include <optional>
+#include <vector>
 
 namespace app {
 
@@ -14,13 +15,23 @@ namespace app {
 struct ManualPage {
     QString topic; ///< the file's name without ".md"
     QString title;
-    QString markdown; ///< without comments; links to other pages are "TOPIC.md"
+    QString markdown;       ///< without comments; links to other pages are "TOPIC.md"
+    QStringList explains{}; ///< the commands, by key, whose page this is
+};
+
+/// A part of the index: its heading and the topics below it.
+struct ManualPart {
+    QString title;
+    QStringList topics;
 };
 
 inline const QString manualIndex = QStringLiteral("index"); ///< the topic of the list of pages
 
+std::vector<ManualPart> manualParts();
 /// The topics in the order of the index, which comes first.
 QStringList manualTopics();
+/// The topic of the page that explains a command; empty: there is none.
+QString topicExplaining(const QString& command);
 /// Empty if there is no page on the topic.
 std::optional<ManualPage> manualPage(const QString& topic);
 

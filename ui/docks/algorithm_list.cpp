@@ -98,7 +98,7 @@ int AlgorithmModel::rows() const { return int(clipping::algorithms().size()); }
 
 QString AlgorithmModel::limitOf(const clipping::Algorithm& row) const
 {
-    return session_ ? app::limitText(row, app::needsInHand(*session_)) : QString();
+    return app::limitText(row, app::needsInHand(session_));
 }
 
 QVariant AlgorithmModel::cell(int number, int, int role) const

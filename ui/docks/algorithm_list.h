@@ -10,15 +10,14 @@
 
 namespace ui {
 
-/// The catalogue of algorithms as a model: one row per algorithm. With a session, a row's tooltip
-/// says whether it can clip at the window in hand.
+/// The catalogue of algorithms as a model: one row per algorithm. A row's tooltip says whether
+/// it can clip at the window in hand.
 class AlgorithmModel : public CheckedModel {
     Q_OBJECT
 
 public:
-    explicit AlgorithmModel(QObject* parent) : CheckedModel(parent) {}
     AlgorithmModel(const app::Session& session, QObject* parent)
-        : CheckedModel(parent), session_(&session)
+        : CheckedModel(parent), session_(session)
     {
     }
 
@@ -29,7 +28,7 @@ protected:
 private:
     QString limitOf(const clipping::Algorithm& row) const;
 
-    const app::Session* session_ = nullptr;
+    const app::Session& session_;
 };
 
 /// The list of algorithms: shortcut digit, marker, abbreviation, name, year; or, dimmed, the reason

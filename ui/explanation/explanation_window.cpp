@@ -7,15 +7,14 @@
 #include "app/session/first_traced_line.h"
 #include "app/teaching/line_text.h"
 #include "app/teaching/manual.h"
-#include "ui/docks/algorithm_list.h"
-#include "ui/explanation/page_style.h"
+#include "ui/explanation/help_contents.h"
 #include "ui/explanation/page_view.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/look_label.h"
-#include "ui/widgets/panel_list.h"
 
 #include <QDesktopServices>
 #include <QHBoxLayout>
@@ -28,25 +27,26 @@ namespace ui {
 
 namespace {
 
-constexpr QSize usual(1040, 780), smallest(560, 360);
-constexpr int listWidth = 252, fieldWidth = 220;
+constexpr QSize usual(760, 802), smallest(560, 360);
+constexpr int contentsWidth = 212, fieldWidth = 220;
+
+/// Where the panels are, which are at the right of the editor.
+void putOverPanels(QWidget& help, const QWidget& editor)
+{
+    const QRect there = editor.frameGeometry();
+    help.move(there.right() - help.frameGeometry().width(), there.top() + space::rowHeight * 2);
+    fitToScreens(help);
+}
 
 } // namespace
 
 ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
     : QDialog(&window, Qt::Window), session_(session), window_(window),
-      questions_(std::make_unique<Questions>(*this)), list_(new QListView), page_(new PageView),
-      wanted_(new QLineEdit), found_(new ElidedLabel), strip_(new MessageStrip)
+      questions_(std::make_unique<Questions>(*this)), contents_(new HelpContents),
+      page_(new PageView), wanted_(new QLineEdit), found_(new ElidedLabel), strip_(new MessageStrip)
 {
     setObjectName(QStringLiteral("explanation"));
-    list_->setModel(new AlgorithmModel(list_));
-    list_->setItemDelegate(new TitlePainter(list_));
-    list_->setAccessibleName(Text::tr("Algorithms"));
-    keepChoice(*list_);
-    list_->setFrameShape(QFrame::NoFrame);
-    list_->setMouseTracking(true);
-    list_->setFixedWidth(listWidth);
-    list_->viewport()->setAutoFillBackground(false);
+    contents_->setFixedWidth(contentsWidth);
     auto* reading = new QVBoxLayout;
     reading->setSpacing(0);
     reading->addWidget(bar());
@@ -56,21 +56,18 @@ ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
-    row->addWidget(list_);
+    row->addWidget(contents_);
+    row->addWidget(rule(Qt::Vertical));
     row->addLayout(reading, 1);
-    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-            [this](const QModelIndex& index) {
-                if (!index.isValid())
-                    return;
-                const auto& chosen = clipping::algorithms()[std::size_t(index.row())];
-                if (page_->algorithm() != &chosen)
-                    page_->show(chosen);
-            });
+    connect(contents_, &HelpContents::chosen, page_, &PageView::open);
     connect(page_, &PageView::pageChanged, this, &ExplanationWindow::showPlace);
     connect(page_, &PageView::linkChosen, this, &ExplanationWindow::follow);
     connect(page_, &QTextBrowser::backwardAvailable, back_, &QWidget::setEnabled);
     connect(page_, &QTextBrowser::forwardAvailable, forward_, &QWidget::setEnabled);
+    const bool isFirst = !QSettings().contains("explanationGeometry");
     restorePlace(*this, QStringLiteral("explanationGeometry"), usual, smallest);
+    if (isFirst)
+        putOverPanels(*this, window);
     page_->setZoom(QSettings().value("explanationZoom").toInt());
 }
 
@@ -108,9 +105,6 @@ QWidget* ExplanationWindow::bar()
         button("microscope", Text::tr("Show this algorithm step by step in the microscope"), {});
     look_->setText(Text::tr("Open microscope"));
     look_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    contents_ = button("book", Text::tr("All pages of the manual"), {});
-    contents_->setText(Text::tr("Contents"));
-    contents_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     auto* smaller = button({}, Text::tr("A− Smaller text"), QKeySequence::ZoomOut);
     auto* larger = button({}, Text::tr("A+ Larger text"), QKeySequence::ZoomIn);
     auto* search = button("zoom", Text::tr("Find on this page"), QKeySequence::Find);
@@ -129,8 +123,8 @@ QWidget* ExplanationWindow::bar()
         wanted_->selectAll();
     });
     connect(save, &QToolButton::clicked, this, &ExplanationWindow::savePdf);
-    connect(contents_, &QToolButton::clicked, this,
-            [this] { page_->showManual(app::manualIndex); });
+    connect(new QShortcut(QKeySequence(QStringLiteral("Ctrl+K")), this), &QShortcut::activated,
+            contents_, &HelpContents::search);
     connect(look_, &QToolButton::clicked, this, [this] {
         app::TracedLine tracedLine = app::firstTracedLine(session_);
         tracedLine.variant = {page_->algorithm(), clipping::Form::Corrected};
@@ -142,7 +136,7 @@ QWidget* ExplanationWindow::bar()
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(space::dockMargin, 4, space::dockMargin, 4);
     row->setSpacing(4);
-    for (QToolButton* one : {back_, forward_, look_, contents_})
+    for (QToolButton* one : {back_, forward_, look_})
         row->addWidget(one);
     row->addStretch();
     for (QToolButton* one : {smaller, larger, search, save})
@@ -153,6 +147,7 @@ QWidget* ExplanationWindow::bar()
 QWidget* ExplanationWindow::finder()
 {
     finder_ = new QWidget;
+    wanted_->setObjectName(QStringLiteral("find-on-page"));
     wanted_->setPlaceholderText(Text::tr("Find on this page"));
     wanted_->setAccessibleName(Text::tr("Find on this page"));
     wanted_->setClearButtonEnabled(true);
@@ -195,28 +190,32 @@ void ExplanationWindow::showManual(const QString& topic)
     QDialog::show();
 }
 
-void ExplanationWindow::showManual()
+void ExplanationWindow::showInHand(const QString& topic)
 {
-    if (page_->topic().isEmpty())
-        page_->showManual(topic_.isEmpty() ? app::manualIndex : topic_);
-    QDialog::show();
+    showManual(topic);
+    inHand_ = topic;
 }
 
-/// The list is that of algorithms; the manual has its index.
+void ExplanationWindow::takeInHand(const QString& topic)
+{
+    if (isVisible() && !inHand_.isEmpty() && !topic.isEmpty())
+        showInHand(topic);
+}
+
+void ExplanationWindow::setCommands(const app::HelpCommands& commands)
+{
+    contents_->setCommands(commands);
+}
+
 void ExplanationWindow::showPlace()
 {
     if (page_->title().isEmpty())
         return;
-    setWindowTitle(page_->title());
-    const auto* algorithm = page_->algorithm();
-    list_->setVisible(algorithm);
-    look_->setVisible(algorithm);
-    contents_->setVisible(!algorithm);
-    if (algorithm)
-        list_->setCurrentIndex(
-            list_->model()->index(int(algorithm - clipping::algorithms().data()), 0));
-    else
-        topic_ = page_->topic();
+    setWindowTitle(Text::tr("Help: %1").arg(page_->title()));
+    look_->setVisible(page_->algorithm());
+    contents_->showPlace(page_->source().path());
+    if (page_->topic() != inHand_)
+        inHand_.clear();
     if (finder_->isVisible() && !wanted_->text().isEmpty())
         find({});
 }

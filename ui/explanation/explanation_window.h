@@ -3,6 +3,7 @@
 
 #include "app/hard_cases/hard_case.h"
 #include "app/session/session.h"
+#include "app/teaching/help_search.h"
 #include "clipping/algorithm.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
@@ -10,17 +11,17 @@
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListView>
 #include <QTextDocument>
 #include <QToolButton>
 
 namespace ui {
 
 class ElidedLabel;
+class HelpContents;
 class PageView;
 
-/// The pages about the algorithms: a list of algorithms at the left, a page at the right. Not
-/// modal: the editor stays usable.
+/// The help: its contents and their search at the left, a page at the right. Not modal: the editor
+/// stays usable. It stands over the editor's panels at first.
 class ExplanationWindow : public QDialog {
     Q_OBJECT
 
@@ -34,7 +35,11 @@ public:
     void setQuestions(std::unique_ptr<Questions> questions);
     void show(const clipping::Algorithm& algorithm);
     void showManual(const QString& topic);
-    void showManual(); ///< the page of the manual that was read last, or its index
+    /// The page of what is in hand. It follows what is taken in hand later, until another page is
+    /// chosen.
+    void showInHand(const QString& topic);
+    void takeInHand(const QString& topic);               ///< if the page follows it
+    void setCommands(const app::HelpCommands& commands); ///< by which pages are found
     PageView& page() { return *page_; }
 
 signals:
@@ -58,15 +63,15 @@ private:
     app::Session& session_;
     QWidget& window_;
     std::unique_ptr<Questions> questions_;
-    QListView* list_;
+    HelpContents* contents_;
     PageView* page_;
     QWidget* finder_ = nullptr;
     QLineEdit* wanted_;
     ElidedLabel* found_;
     MessageStrip* strip_;
     QToolButton *back_ = nullptr, *forward_ = nullptr;
-    QToolButton *contents_ = nullptr, *look_ = nullptr; ///< on pages of the manual; of algorithms
-    QString topic_;                                     ///< of the manual, read last
+    QToolButton* look_ = nullptr; ///< on pages of algorithms
+    QString inHand_;              ///< the page that follows what is in hand; empty: none does
 };
 
 } // namespace ui

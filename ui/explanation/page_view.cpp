@@ -73,15 +73,11 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent)
             &PageView::pageChanged); // source() has changed now
 }
 
-void PageView::show(const clipping::Algorithm& algorithm)
-{
-    setSource(QUrl(app::pageLink(algorithm)), QTextDocument::MarkdownResource);
-}
+void PageView::open(const QString& link) { setSource(QUrl(link), QTextDocument::MarkdownResource); }
 
-void PageView::showManual(const QString& topic)
-{
-    setSource(QUrl(topic + QStringLiteral(".md")), QTextDocument::MarkdownResource);
-}
+void PageView::show(const clipping::Algorithm& algorithm) { open(app::pageLink(algorithm)); }
+
+void PageView::showManual(const QString& topic) { open(topic + QStringLiteral(".md")); }
 
 const clipping::Algorithm* PageView::algorithm() const
 {

@@ -10,9 +10,9 @@
 
 namespace ui {
 
-/// A page of an algorithm or of the manual: lines of a comfortable length, figures painted by the program in the
-/// palette's colours. It follows links to other pages and signals all other links. It goes back and
-/// forward like a browser.
+/// A page of an algorithm or of the manual: lines of a comfortable length, figures painted by the
+/// program in the palette's colours. It follows links to other pages and signals all other links.
+/// It goes back and forward like a browser.
 class PageView : public QTextBrowser {
     Q_OBJECT
 
@@ -21,6 +21,7 @@ public:
 
     void show(const clipping::Algorithm& algorithm);
     void showManual(const QString& topic);        ///< which must exist
+    void open(const QString& link);               ///< "snapping.md"
     const clipping::Algorithm* algorithm() const; ///< null on a page of the manual, or on none
     QString topic() const;                        ///< of the manual; empty on other pages
     QString title() const;

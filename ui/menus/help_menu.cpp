@@ -17,10 +17,11 @@ MenuInfo helpMenu()
         .rows =
             {
                 {
-                    .key = "manual",
-                    .text = Text::tr("&Manual"),
+                    .key = "help",
+                    .text = Text::tr("&Help"),
+                    .keys = keys(K::HelpContents, {K("F1")}),
                     .icon = "book",
-                    .show = &OtherWindows::showManual,
+                    .show = &OtherWindows::help,
                 },
                 {
                     .key = "start",

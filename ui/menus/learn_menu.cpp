@@ -106,7 +106,7 @@ MenuInfo learnMenu()
                 {
                     .key = "about-algorithm",
                     .text = Text::tr("About this &algorithm"),
-                    .keys = keys(QKeySequence::HelpContents, {QKeySequence("F1")}),
+                    .keys = {QKeySequence("Shift+F1")},
                     .icon = "book",
                     .show = &OtherWindows::explainCurrent,
                 },

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/menus/other_windows.h"
 
+#include "app/base/text.h"
+#include "app/teaching/manual.h"
 #include "ui/experiment/experiment_window.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/files/files.h"
@@ -8,8 +10,13 @@
 #include "ui/judge/judge_window.h"
 #include "ui/menus/palette.h"
 #include "ui/microscope/export_steps.h"
+#include "ui/sheets/command_keys.h"
+#include "ui/tiles/tiles_page.h"
+#include "ui/widgets/sheet.h"
 #include "ui/window/main_window.h"
 
+#include <QApplication>
+#include <QShortcut>
 #include <QStatusBar>
 
 namespace ui {
@@ -23,6 +30,39 @@ void bringToFront(QDialog& dialog)
     dialog.activateWindow();
 }
 
+/// The command that shows or takes what is in hand.
+QString commandInHand(const MainWindow& window)
+{
+    QWidget* const focused = QApplication::focusWidget();
+    if (const Sheet* sheet = window.sheet(); sheet && focused && sheet->isAncestorOf(focused))
+        return sheet->objectName();
+    for (const QWidget* around = focused; around; around = around->parentWidget())
+        if (qobject_cast<const Dock*>(around))
+            return around->objectName() == QStringLiteral("start")
+                       ? around->objectName()
+                       : QStringLiteral("panel-") + around->objectName();
+    if (window.showsLessons())
+        return QStringLiteral("lessons");
+    if (window.session().microscope.isOpen())
+        return QStringLiteral("microscope");
+    if (window.tilesPage() && window.tilesPage()->isVisible())
+        return QStringLiteral("tiles");
+    return QStringLiteral("tool-") + app::latin(window.canvas().tool());
+}
+
+app::HelpCommands helpCommands(MainWindow& window)
+{
+    app::HelpCommands all;
+    const app::KeyTable& table = CommandKeys::of(window).table();
+    for (std::size_t i = 0; i < table.commands().size(); ++i) {
+        app::HelpCommand command{table.commands()[i].name, {}};
+        for (const QKeySequence& keys : table.keys(i))
+            command.keys << keys.toString(QKeySequence::NativeText);
+        all[table.commands()[i].key] = command;
+    }
+    return all;
+}
+
 } // namespace
 
 OtherWindows::OtherWindows(MainWindow& window) : QObject(&window), window_(window)
@@ -34,24 +74,37 @@ OtherWindows::OtherWindows(MainWindow& window) : QObject(&window), window_(windo
 
 void OtherWindows::showExperiment()
 {
-    if (!experiment_)
+    if (!experiment_) {
         experiment_ = new ExperimentWindow(
             window_.session(), [this] { return window_.files().name(); }, &window_);
+        addHelp(*experiment_, QStringLiteral("reproduce-paper"));
+    }
     bringToFront(*experiment_);
 }
 
 void OtherWindows::showHardCases()
 {
-    if (!hardCases_)
+    if (!hardCases_) {
         hardCases_ = new HardCasesWindow(window_.session(), window_.files(), window_);
+        addHelp(*hardCases_, QStringLiteral("hard-cases"));
+    }
     bringToFront(*hardCases_);
 }
 
 void OtherWindows::showJudge()
 {
-    if (!judge_)
+    if (!judge_) {
         judge_ = new JudgeWindow(window_.session(), &window_);
+        addHelp(*judge_, QStringLiteral("judge"));
+    }
     bringToFront(*judge_);
+}
+
+/// F1 in another window shows the page of the command that opens it.
+void OtherWindows::addHelp(QWidget& other, const QString& command)
+{
+    connect(new QShortcut(Qt::Key_F1, &other), &QShortcut::activated, this,
+            [this, command] { showManual(app::topicExplaining(command)); });
 }
 
 ExplanationWindow& OtherWindows::reader()
@@ -68,19 +121,22 @@ ExplanationWindow& OtherWindows::reader()
                     showHardCases();
                     hardCases_->chooseFailing(variant);
                 });
+        connect(&window_.canvas(), &Canvas::toolChanged, explanation_,
+                [this] { explanation_->takeInHand(app::topicExplaining(commandInHand(window_))); });
     }
+    explanation_->setCommands(helpCommands(window_));
     return *explanation_;
+}
+
+void OtherWindows::help()
+{
+    reader().showInHand(app::topicExplaining(commandInHand(window_)));
+    bringToFront(*explanation_);
 }
 
 void OtherWindows::explain(const clipping::Algorithm& algorithm)
 {
     reader().show(algorithm);
-    bringToFront(*explanation_);
-}
-
-void OtherWindows::showManual()
-{
-    reader().showManual();
     bringToFront(*explanation_);
 }
 

@@ -27,8 +27,10 @@ public:
     void showHardCases();
     void showJudge();
     void explain(const clipping::Algorithm& algorithm);
-    void showManual();
     void showManual(const QString& topic); ///< its page
+    /// The page of what is in hand: the sheet or the panel with the focus, the microscope, the
+    /// tiles, or the tool.
+    void help();
     void showPalette();
     /// Explains the algorithm of the open microscope, else the one that clips.
     void explainCurrent();
@@ -36,6 +38,7 @@ public:
     void exportSteps();
 
 private:
+    void addHelp(QWidget& other, const QString& command);
     ExplanationWindow& reader();
 
     MainWindow& window_;

@@ -91,7 +91,7 @@ struct Reader {
     Reader()
     {
         test.show();
-        QTest::keyClick(test.drawingArea(), Qt::Key_F1);
+        QTest::keyClick(test.drawingArea(), Qt::Key_F1, Qt::ShiftModifier);
         window = test.window->findChild<ExplanationWindow*>();
         page = &window->page();
         active();
@@ -119,7 +119,7 @@ class ExplanationTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void f1ShowsTheCurrentAlgorithm()
+    void shiftF1ShowsTheCurrentAlgorithm()
     {
         Reader reader;
         QVERIFY(reader.window->isVisible());
@@ -134,7 +134,7 @@ private slots:
         QCOMPARE(reader.test.window->findChildren<ExplanationWindow*>().size(), 1);
     }
 
-    void f1ShowsTheMicroscopesAlgorithm()
+    void shiftF1ShowsTheMicroscopesAlgorithm()
     {
         Reader reader;
         auto& session = reader.test.window->session();
@@ -201,14 +201,15 @@ private slots:
         QCOMPARE(reader.page->algorithm(), &row("KWC"));
         QTest::keyClick(reader.window, Qt::Key_Left, Qt::AltModifier);
         QCOMPARE(reader.page->algorithm(), &row("MD"));
-        QCOMPARE(reader.window->windowTitle(), app::latin(row("MD").name));
+        QVERIFY(reader.window->windowTitle().contains(app::latin(row("MD").name)));
         QTest::keyClick(reader.window, Qt::Key_Right, Qt::AltModifier);
         QCOMPARE(reader.page->algorithm(), &row("KWC"));
         auto* list = reader.window->findChild<QListView*>();
-        QCOMPARE(list->currentIndex().row(), int(&row("KWC") - clipping::algorithms().data()));
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
-                          list->visualRect(list->model()->index(0, 0)).center());
-        QCOMPARE(reader.page->algorithm(), &clipping::algorithms().front());
+        QVERIFY(list->currentIndex().data().toString().startsWith(app::latin(row("KWC").name)));
+        const QModelIndex above = list->currentIndex().siblingAtRow(list->currentIndex().row() - 1);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(above).center());
+        QVERIFY(above.data().toString().startsWith(app::latin(reader.page->algorithm()->name)));
+        QVERIFY(reader.page->algorithm() != &row("KWC"));
     }
 
     void linksToTheHardCases()
@@ -287,7 +288,7 @@ private slots:
         Reader reader;
         reader.window->show(row("MD"));
         QTest::keyClick(reader.window, Qt::Key_F, Qt::ControlModifier);
-        auto* field = reader.window->findChild<QLineEdit*>();
+        auto* field = reader.window->findChild<QLineEdit*>("find-on-page");
         QVERIFY(field->isVisible());
         QTest::keyClicks(field, QStringLiteral("window"));
         const QTextCursor first = reader.page->textCursor();

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/teaching/manual.h"
+#include "ui/docks/layers_panel.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/explanation/page_view.h"
+#include "ui/sheets/command_keys.h"
+#include "ui/sheets/sheets.h"
 #include "ui/tools/tool.h"
 
+#include <QApplication>
+#include <QLineEdit>
 #include <QListView>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -107,26 +113,124 @@ private slots:
         QVERIFY2(missing.isEmpty(), qPrintable(missing.join("; ")));
     }
 
-    void theMenuOpensTheIndexAndLinksLeadOn()
+    // Commands, tools, panels and sheets: all are commands of the window.
+    void everyCommandHasOnePage()
     {
         TestWindow t;
-        t.window->findChild<QAction*>("manual")->trigger();
+        QSet<QString> known;
+        QStringList without;
+        for (const app::KeyedCommand& command : CommandKeys::of(*t.window).table().commands()) {
+            known << command.key;
+            if (!command.key.isEmpty() && app::topicExplaining(command.key).isEmpty())
+                without << command.key;
+        }
+        QVERIFY(known.size() > 200);
+        QVERIFY2(without.isEmpty(), qPrintable(without.join(' ')));
+        QSet<QString> explained;
+        for (const QString& topic : app::manualTopics()) {
+            const auto page = app::manualPage(topic);
+            for (const QString& command : page->explains) {
+                QVERIFY2(known.contains(command), qPrintable(topic + ": " + command));
+                QVERIFY2(!explained.contains(command), qPrintable(command));
+                explained << command;
+            }
+        }
+        for (const SheetInfo& sheet : sheets())
+            QVERIFY(!app::topicExplaining(app::latin(sheet.key)).isEmpty());
+        for (const Dock* dock : t.window->findChildren<Dock*>())
+            if (dock->objectName() != "start")
+                QVERIFY2(!app::topicExplaining("panel-" + dock->objectName()).isEmpty(),
+                         qPrintable(dock->objectName()));
+    }
+
+    void f1ExplainsWhatIsInHand()
+    {
+        TestWindow t;
+        t.show();
+        const auto page = [&] { return t.window->findChild<ExplanationWindow*>()->page().topic(); };
+        const auto help = [&] { t.action("help")->trigger(); };
+        t.window->canvas().setTool("pen");
+        t.window->canvas().setFocus();
+        QTest::keyClick(t.drawingArea(), Qt::Key_F1);
+        QCOMPARE(page(), QStringLiteral("curves"));
+        t.window->canvas().setTool("text"); // it follows
+        QCOMPARE(page(), QStringLiteral("text"));
+        t.window->canvas().setTool("window");
+        QCOMPARE(page(), QStringLiteral("draw-windows"));
+        emit t.window->findChild<ExplanationWindow*>()->page().anchorClicked(QUrl("numbers.md"));
+        t.window->canvas().setTool("line"); // another page was chosen
+        QCOMPARE(page(), QStringLiteral("numbers"));
+        t.window->activateWindow();
+        t.window->raisePanel("layers");
+        t.window->findChild<LayersPanel*>()->findChild<QLineEdit*>()->setFocus();
+        help();
+        QCOMPARE(page(), QStringLiteral("layers"));
+        t.action("settings")->trigger();
+        help();
+        QCOMPARE(page(), QStringLiteral("settings"));
+        t.window->closeSheet();
+        t.action("microscope")->trigger();
+        help();
+        QCOMPARE(page(), QStringLiteral("microscope"));
+        t.action("lessons")->trigger();
+        help();
+        QCOMPARE(page(), QStringLiteral("lessons"));
+    }
+
+    void everyToolsPageIsShown()
+    {
+        TestWindow t;
+        for (const ToolInfo& tool : tools()) {
+            t.window->canvas().setTool(tool.key);
+            t.window->canvas().setFocus();
+            t.action("help")->trigger();
+            const auto& page = t.window->findChild<ExplanationWindow*>()->page();
+            QVERIFY2(!page.topic().isEmpty(), tool.key.data());
+            QVERIFY2(page.toPlainText().contains(tool.name), tool.key.data());
+        }
+    }
+
+    void theContentsLeadOnAndFindPages()
+    {
+        TestWindow t;
+        t.action("help")->trigger();
         auto* reader = t.window->findChild<ExplanationWindow*>();
         QVERIFY(reader && reader->isVisible());
-        QCOMPARE(reader->page().topic(), app::manualIndex);
-        QVERIFY(reader->page().toPlainText().contains("Snapping"));
-        QVERIFY(!reader->findChild<QListView*>()->isVisible()); // that of the algorithms
         emit reader->page().anchorClicked(QUrl("snapping.md"));
         QCOMPARE(reader->page().topic(), QStringLiteral("snapping"));
-        QCOMPARE(reader->windowTitle(), app::manualPage("snapping")->title);
-        reader->close();
-        t.window->findChild<QAction*>("manual")->trigger(); // goes on where it ended
-        QCOMPARE(reader->page().topic(), QStringLiteral("snapping"));
-        t.window->findChild<QAction*>("about-algorithm")->trigger();
+        QVERIFY(reader->windowTitle().contains(app::manualPage("snapping")->title));
+        auto* list = reader->findChild<QListView*>("help-pages");
+        QCOMPARE(list->currentIndex().data().toString(), app::manualPage("snapping")->title);
+        auto* field = reader->findChild<QLineEdit*>("search-help");
+        QTest::keyClicks(field, "Ctrl+E");
+        QVERIFY(list->model()->rowCount() > 0);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(reader->page().topic(), QStringLiteral("cutting"));
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(reader->isVisible() && field->text().isEmpty());
+        QCOMPARE(list->currentIndex().data().toString(), app::manualPage("cutting")->title);
+        QTest::keyClicks(field, "xyzzy");
+        QCOMPARE(list->model()->rowCount(), 1); // says that there is none
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(reader->page().topic(), QStringLiteral("cutting"));
+        t.action("about-algorithm")->trigger();
         QVERIFY(reader->page().algorithm());
-        QVERIFY(reader->findChild<QListView*>()->isVisible());
-        t.window->findChild<QAction*>("manual")->trigger();
-        QCOMPARE(reader->page().topic(), QStringLiteral("snapping"));
+    }
+
+    void f1WorksInOtherWindows()
+    {
+        TestWindow t;
+        for (const char* command : {"reproduce-paper", "hard-cases", "judge"}) {
+            t.action(command)->trigger();
+            QWidget* other = QApplication::activeWindow();
+            QTRY_VERIFY((other = QApplication::activeWindow()) != t.window.get() && other);
+            QTest::keyClick(other, Qt::Key_F1);
+            auto* reader = t.window->findChild<ExplanationWindow*>();
+            QVERIFY(reader && reader->isVisible());
+            QCOMPARE(reader->page().topic(), app::topicExplaining(command));
+            reader->close();
+            other->close();
+        }
     }
 
     void aPageIsSavedWithItsPictures()

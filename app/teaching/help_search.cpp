@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/help_search.h"
+
+#include "app/base/name_match.h"
+#include "app/base/text.h"
+#include "app/teaching/manual.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <optional>
+
+namespace app {
+
+namespace {
+
+constexpr int titleScore = 10'000, commandScore = 1'000, mostPlaces = 900;
+constexpr qsizetype excerptBefore = 24, excerptLength = 90; // letters of an excerpt
+
+/// The words of a page, without what only markdown needs.
+QString wordsOf(QString markdown)
+{
+    static const QRegularExpression comment(QStringLiteral("<!--.*?-->"),
+                                            QRegularExpression::DotMatchesEverythingOption),
+        target(QStringLiteral("\\]\\([^)]*\\)")),
+        sign(QStringLiteral("[*`|\\[\\]#\\\\]|\\|?-{3,}"));
+    markdown.remove(comment);
+    markdown = markdown.section(u'\n', 1);
+    return markdown.remove(target).remove(sign).simplified();
+}
+
+HelpPage pageOn(const clipping::Algorithm& algorithm)
+{
+    return {latin(algorithm.key) + QStringLiteral(".md"),
+            QStringLiteral("%1 (%2)").arg(latin(algorithm.name), latin(algorithm.abbreviation)),
+            wordsOf(pageOf(algorithm)),
+            {}};
+}
+
+std::vector<HelpPart> readContents()
+{
+    std::vector<HelpPart> parts;
+    for (const ManualPart& part : manualParts()) {
+        parts.push_back({part.title, {}});
+        for (const QString& topic : part.topics)
+            if (auto page = manualPage(topic))
+                parts.back().pages.push_back({topic + QStringLiteral(".md"), page->title,
+                                              wordsOf(page->markdown), page->explains});
+    }
+    parts.push_back({Text::tr("Algorithms"), {}});
+    for (const clipping::Algorithm& algorithm : clipping::algorithms())
+        parts.back().pages.push_back(pageOn(algorithm));
+    return parts;
+}
+
+/// Whole words on both sides of a place, on one line.
+QString excerpt(const QString& text, qsizetype place)
+{
+    const qsizetype from =
+        place < excerptBefore ? 0 : text.indexOf(u' ', place - excerptBefore) + 1;
+    const QString rest = text.mid(from, excerptLength);
+    const bool isAll = from + rest.size() >= text.size();
+    return (from > 0 ? QStringLiteral("… ") : QString())
+           + (isAll ? rest : rest.left(rest.lastIndexOf(u' ')) + QStringLiteral(" …"));
+}
+
+struct Found {
+    int score;
+    QString why;
+};
+
+std::optional<Found> inCommands(const QString& typed, const HelpPage& page,
+                                const HelpCommands& commands)
+{
+    std::optional<Found> best;
+    for (const QString& key : page.commands) {
+        const HelpCommand command = commands.value(key);
+        const bool isKey = command.keys.contains(typed, Qt::CaseInsensitive);
+        const auto match = matchName(typed, command.name);
+        const int score = isKey ? titleScore : match ? match->score : 0;
+        if (score > (best ? best->score : 1)) // more than some letters of it
+            best = {score, command.keys.isEmpty()
+                               ? command.name
+                               : Text::tr("%1 (%2)").arg(command.name, command.keys.front())};
+    }
+    if (best)
+        best->score += commandScore;
+    return best;
+}
+
+/// Each word is somewhere on the page.
+std::optional<Found> inText(const QStringList& words, const HelpPage& page)
+{
+    int places = 0;
+    for (const QString& word : words) {
+        const auto count = page.text.count(word, Qt::CaseInsensitive);
+        if (count == 0 && !page.title.contains(word, Qt::CaseInsensitive))
+            return std::nullopt;
+        places += int(count);
+    }
+    const qsizetype first = page.text.indexOf(words.front(), 0, Qt::CaseInsensitive);
+    return Found{std::min(places, mostPlaces), first < 0 ? QString() : excerpt(page.text, first)};
+}
+
+std::optional<Found> find(const QString& typed, const QStringList& words, const HelpPage& page,
+                          const HelpCommands& commands)
+{
+    if (const auto match = matchName(typed, page.title); match && match->score > 1)
+        return Found{titleScore + match->score, {}};
+    if (auto found = inCommands(typed, page, commands))
+        return found;
+    return inText(words, page);
+}
+
+} // namespace
+
+const std::vector<HelpPart>& helpContents()
+{
+    static const std::vector<HelpPart> contents = readContents();
+    return contents;
+}
+
+std::vector<HelpHit> searchHelp(const QString& typed, const HelpCommands& commands)
+{
+    const QString sought = typed.simplified();
+    const QStringList words = sought.split(u' ', Qt::SkipEmptyParts);
+    if (words.isEmpty())
+        return {};
+    std::vector<std::pair<int, HelpHit>> found;
+    for (const HelpPart& part : helpContents())
+        for (const HelpPage& page : part.pages)
+            if (const auto hit = find(sought, words, page, commands))
+                found.push_back({hit->score, {&page, hit->why}});
+    std::ranges::stable_sort(found, std::greater(), &std::pair<int, HelpHit>::first);
+    std::vector<HelpHit> hits;
+    for (auto& [score, hit] : found)
+        hits.push_back(std::move(hit));
+    return hits;
+}
+
+} // namespace app

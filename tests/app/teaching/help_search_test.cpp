@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/help_search.h"
+#include "app/teaching/manual.h"
+
+#include <QTest>
+
+#include "tests/test_class.h"
+
+namespace teaching_help_search_test {
+
+namespace {
+
+const app::HelpCommands& commands()
+{
+    static const app::HelpCommands all{{"crop", {"Crop to windows", {"Ctrl+Shift+X"}}},
+                                       {"group", {"Group", {"Ctrl+G"}}},
+                                       {"ungroup", {"Ungroup", {"Ctrl+Shift+G"}}}};
+    return all;
+}
+
+QStringList links(const QString& typed)
+{
+    QStringList found;
+    for (const app::HelpHit& hit : app::searchHelp(typed, commands()))
+        found << hit.page->link;
+    return found;
+}
+
+} // namespace
+
+class HelpSearchTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theContentsHaveEveryPageOnce()
+    {
+        QStringList listed;
+        for (const app::HelpPart& part : app::helpContents()) {
+            QVERIFY(!part.title.isEmpty() && !part.pages.empty());
+            for (const app::HelpPage& page : part.pages) {
+                QVERIFY2(!page.title.isEmpty() && page.text.size() > 100, qPrintable(page.link));
+                listed << page.link;
+            }
+        }
+        QStringList expected;
+        for (const QString& topic : app::manualTopics().mid(1))
+            expected << topic + ".md";
+        for (const clipping::Algorithm& algorithm : clipping::algorithms())
+            expected << QString::fromLatin1(algorithm.key.data(), qsizetype(algorithm.key.size()))
+                            + ".md";
+        QCOMPARE(listed, expected);
+    }
+
+    void theTextsAreWords()
+    {
+        for (const app::HelpPart& part : app::helpContents())
+            for (const app::HelpPage& page : part.pages)
+                for (const char* sign : {"<!--", "](", "**", "explains:", "\n"})
+                    QVERIFY2(!page.text.contains(sign), qPrintable(page.link + " has " + sign));
+    }
+
+    void titlesComeBeforeCommandsBeforeTexts()
+    {
+        QCOMPARE(links("snapping").value(0), QStringLiteral("snapping.md"));
+        QVERIFY(links("snapping").size() > 3); // others name it
+        const QStringList crop = links("crop");
+        QCOMPARE(crop.value(0), QStringLiteral("cutting.md"));
+        QVERIFY(crop.size() > 1);
+        QCOMPARE(app::searchHelp("crop", commands()).front().why,
+                 QStringLiteral("Crop to windows (Ctrl+Shift+X)"));
+    }
+
+    void keysAreFoundWhole()
+    {
+        QCOMPARE(links("Ctrl+G").value(0), QStringLiteral("groups.md"));
+        QCOMPARE(app::searchHelp("ctrl+g", commands()).front().why,
+                 QStringLiteral("Group (Ctrl+G)"));
+        QCOMPARE(app::searchHelp("Ctrl+Shift+G", commands()).front().why,
+                 QStringLiteral("Ungroup (Ctrl+Shift+G)"));
+    }
+
+    void anExcerptHasTheWordsAround()
+    {
+        const auto hits = app::searchHelp("outcode", commands());
+        QVERIFY(!hits.empty());
+        for (const app::HelpHit& hit : hits) {
+            if (hit.page->title.contains("outcode", Qt::CaseInsensitive))
+                continue;
+            QVERIFY2(hit.why.contains("outcode", Qt::CaseInsensitive), qPrintable(hit.why));
+            QVERIFY(hit.why.size() < 130);
+        }
+    }
+
+    void everyWordMustBeThere()
+    {
+        QVERIFY(links("grid isometric").contains("grid.md"));
+        QVERIFY(links("grid zebra").isEmpty());
+        for (const QString& nothing : {QString(), QStringLiteral("  "), QStringLiteral("xyzzy")})
+            QVERIFY(links(nothing).isEmpty());
+    }
+
+    void hostileTextFindsNothing()
+    {
+        for (const QString& typed : {QString(100'000, u'a'), QStringLiteral("[("),
+                                     QStringLiteral("\\"), QString(QChar::Null)})
+            QVERIFY(links(typed).size() < 5);
+    }
+};
+
+} // namespace teaching_help_search_test
+
+TEST_CLASS(teaching_help_search_test::HelpSearchTest, None)
+#include "tests/app/teaching/help_search_test.moc"
