@@ -19,6 +19,7 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <atomic>
 
 namespace app {
 namespace {
@@ -144,10 +145,12 @@ std::optional<QString> writeLeftover(const Document& document, const Origin& ori
 
 QString newLeftoverFile(const QString& folder)
 {
+    static std::atomic<int> number = 0; // several drawings of this process
     return QDir(folder).filePath(
-        QStringLiteral("%1-%2.svg")
+        QStringLiteral("%1-%2-%3.svg")
             .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz")))
-            .arg(QCoreApplication::applicationPid()));
+            .arg(QCoreApplication::applicationPid())
+            .arg(++number));
 }
 
 std::vector<Leftover> claimLeftovers(const QString& folder)

@@ -5,14 +5,13 @@
 #include "app/command_line/misnamed.h"
 #include "app/settings/settings_format.h"
 #include "app/teaching/line_text.h"
+#include "ui/editor/desk.h"
 #include "ui/editor/display.h"
 #include "ui/editor/editor_application.h"
-#include "ui/editor/recovery.h"
 #include "ui/files/files.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
-#include "ui/menus/actions.h"
 #include "ui/sheets/command_keys.h"
 #include "ui/window/main_window.h"
 
@@ -43,7 +42,8 @@ constexpr QSize usualPicture(1280, 800);
 struct Options {
     Backend backend = Backend::Automatic;
     std::optional<Theme> theme;
-    QString file, screenshot;
+    QStringList files;
+    QString screenshot;
     std::optional<QSize> size;
     QString panes;                     ///< 1 to 4, or "all"; empty: unchanged
     std::optional<QString> microscope; ///< the line to open it at, as text; empty: the first line
@@ -128,12 +128,10 @@ std::optional<app::Refusal> parse(Options& options, const QStringList& arguments
             const QString value = joined ? argument.section(u'=', 1) : arguments.value(++i);
             if (const auto error = take(options, argument.section(u'=', 0, 0), value))
                 return wrong(*error);
-        } else if (!options.file.isEmpty()) {
-            return wrong(Text::tr("Name only one file: %1 is the second.").arg(argument));
         } else {
             const QUrl url(argument);
-            options.file = url.isLocalFile() ? url.toLocalFile() : argument;
-            if (auto refusal = app::misnamed(options.file))
+            options.files << (url.isLocalFile() ? url.toLocalFile() : argument);
+            if (auto refusal = app::misnamed(options.files.back()))
                 return refusal;
         }
     }
@@ -149,7 +147,7 @@ void nameProgram()
 }
 
 /// Returns nothing, or the reason why the file could not be written.
-std::optional<QString> savePicture(MainWindow& window, const QString& path)
+std::optional<QString> savePicture(QWidget& window, const QString& path)
 {
     const QPixmap picture = window.grab();
     QString type = QFileInfo(path).suffix();
@@ -192,45 +190,48 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
     // would take a quarter of the start, so the complete window gets the sheet at once.
     const QString styleSheet = application.styleSheet();
     application.setStyleSheet({});
-    MainWindow window(options.backend);
-    addMenus(window);
+    Desk desk(options.backend);
     application.setStyleSheet(styleSheet);
-    application.setWindow(&window);
+    const auto follow = [&] { application.setWindow(&desk.current()); };
+    QObject::connect(&desk, &Desk::currentChanged, &application, follow);
+    follow();
     const auto withoutWindow = qScopeGuard([&] { application.setWindow(nullptr); });
     if (!options.screenshot.isEmpty())
-        window.resize(options.size.value_or(usualPicture)); // independent of the screen
+        desk.resize(options.size.value_or(usualPicture)); // independent of the screen
     else if (options.size) {
-        window.resize(*options.size);
-        fitToScreens(window);
+        desk.resize(*options.size);
+        fitToScreens(desk);
     }
+    MainWindow& window = desk.current(); // until further drawings are opened
     if (!options.panes.isEmpty())
         showPanes(window.canvas(), options.panes);
     if (const auto& wish = options.algorithm)
         window.session().changeDisplay(
             [&wish](app::Display& display) { display.variant = app::usable(*wish); });
     // A large file must not delay the window.
-    const auto open = [&] { window.files().open(options.file); };
-    const bool first = !options.screenshot.isEmpty() || QFileInfo(options.file).size() < quickBytes;
-    if (options.file.isEmpty())
+    const QString file = options.files.value(0);
+    const auto open = [&] { window.files().open(file); };
+    const bool first = !options.screenshot.isEmpty() || QFileInfo(file).size() < quickBytes;
+    if (file.isEmpty())
         window.showStart();
     else if (first) {
         open();
         window.files().wait(options.screenshot.isEmpty() ? QDeadlineTimer(mostWaiting)
                                                          : QDeadlineTimer::Forever);
     }
-    std::optional<Recovery> recovery; // none for a screenshot, which must not touch unsaved work
-    if (options.screenshot.isEmpty())
-        recovery.emplace(window);
     const auto begin = [&] {
-        if (!options.file.isEmpty() && !first)
+        if (!file.isEmpty() && !first)
             open();
+        desk.open(options.files.mid(1));
         if (!options.refusal.isEmpty())
             window.tell({Message::Kind::Warning, options.refusal});
         CommandKeys::of(window).tellIgnored();
-        if (recovery)
-            recovery->offer();
+        if (options.screenshot.isEmpty()) // which must not touch unsaved work
+            desk.offerRecovery();
     };
-    QMetaObject::invokeMethod(&window, begin, Qt::QueuedConnection);
+    if (options.screenshot.isEmpty())
+        desk.keepJournals();
+    QMetaObject::invokeMethod(&desk, begin, Qt::QueuedConnection);
     if (options.verbose)
         QObject::connect(&window.canvas(), &Canvas::frameShown, &window,
                          [&clock, once = false]() mutable {
@@ -238,7 +239,7 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
                                  std::fprintf(stderr, "first frame after %lld ms\n",
                                               static_cast<long long>(clock.elapsed()));
                          });
-    window.show();
+    desk.show();
     if (options.microscope)
         openMicroscope(window, options);
     if (options.screenshot.isEmpty())
@@ -247,7 +248,7 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
     // Milliseconds for thumbnails, which are painted on another thread.
     constexpr int forThumbnails = 1500;
     const auto save = [&] {
-        error = savePicture(window, options.screenshot);
+        error = savePicture(desk, options.screenshot);
         application.quit();
     };
     QTimer::singleShot(forThumbnails, &window, [&] {
@@ -272,7 +273,7 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
         const bool forPicture = !arguments.filter(QStringLiteral("--screenshot")).isEmpty();
         if (isErrorRead() || forPicture || !whyNoDisplay().isEmpty())
             return int(refusal->exit);
-        options.file.clear(); // whoever started the program from a desktop sees only its window
+        options.files.clear(); // whoever started the program from a desktop sees only its window
         options.refusal = refusal->sentence;
     }
     if (!options.screenshot.isEmpty() && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))

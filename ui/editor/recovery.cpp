@@ -2,6 +2,7 @@
 #include "ui/editor/recovery.h"
 
 #include "app/base/unfinished.h"
+#include "app/recovery/signal_watch.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 #include "ui/window/main_window.h"
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <mutex>
 
 namespace ui {
 
@@ -19,6 +21,30 @@ namespace {
 using Verb = Questions::LeftoverAnswer::Verb;
 
 } // namespace
+
+/// A signal ends the process for all of them.
+struct Recovery::Watch {
+    static std::shared_ptr<Watch> get()
+    {
+        static std::weak_ptr<Watch> shared;
+        auto watch = shared.lock();
+        if (!watch)
+            shared = watch = std::make_shared<Watch>();
+        return watch;
+    }
+
+    void keep(int signal)
+    {
+        const std::lock_guard guard(lock);
+        for (const Recovery* one : all)
+            one->keep(signal);
+        app::removeUnfinished(); // the partial file of a Save that the signal interrupted
+    }
+
+    std::mutex lock;
+    std::vector<const Recovery*> all;
+    app::SignalWatch signalWatch{[this](int signal) { keep(signal); }};
+};
 
 Recovery::Recovery(MainWindow& window, QString folder, const app::Journal::Limits& limits)
     : window_(window), folder_(std::move(folder)), file_(app::newLeftoverFile(folder_)),
@@ -33,11 +59,17 @@ Recovery::Recovery(MainWindow& window, QString folder, const app::Journal::Limit
     connect(&window.canvas(), &Canvas::stepsChanged, this, &Recovery::tell);
     connect(&journal_, &app::Journal::completeChanged, this, &Recovery::warn);
     tell();
-    watch_.emplace([this](int signal) { keep(signal); });
+    watch_ = Watch::get();
+    const std::lock_guard guard(watch_->lock);
+    watch_->all.push_back(this);
 }
 
 Recovery::~Recovery()
 {
+    {
+        const std::lock_guard guard(watch_->lock);
+        std::erase(watch_->all, this);
+    }
     watch_.reset();
     journal_.discard();
     discardRecovered();
@@ -92,7 +124,6 @@ void Recovery::keep(int signal) const
     } catch (const std::exception&) { // std::bad_alloc
         say(Text::tr("The unsaved drawing is lost: there was not enough memory to write it."));
     }
-    app::removeUnfinished(); // the partial file of a Save that the signal interrupted
 }
 
 void Recovery::offer()
@@ -112,25 +143,29 @@ void Recovery::ask(std::vector<app::Leftover> found)
         app::Leftover chosen = std::move(found[which]);
         found.erase(found.begin() + std::ptrdiff_t(which));
         if (verb == Verb::Recover)
-            return recover(chosen, [this, found] { ask(found); });
+            return (place_ ? place_() : *this).recover(chosen, [this, found](bool recovered) {
+                if (!recovered || place_) // there is a window for the next one
+                    ask(found);
+            });
         app::discard(chosen);
     }
 }
 
 /// Replaces the drawing in the window, unless the person keeps it or the leftover is unreadable.
-void Recovery::recover(const app::Leftover& chosen, const std::function<void()>& otherwise)
+void Recovery::recover(const app::Leftover& chosen, const std::function<void(bool)>& ended)
 {
     using End = Files::Recovered;
     const auto end = [=, self = QPointer(this)](End recovered) {
         if (!self)
             return;
         if (recovered == End::NotAtAll)
-            return otherwise();
+            return ended(false);
         self->recovered_ = chosen;
         self->damaged_ = recovered == End::Partly;
         if (self->journal_.ready()) // it has its own copy
             self->discardRecovered();
         self->tell();
+        ended(true);
     };
     window_.files().mayClose([=, self = QPointer(this)](bool mayReplace) {
         if (self && mayReplace)

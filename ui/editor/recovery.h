@@ -2,12 +2,12 @@
 #pragma once
 
 #include "app/recovery/journal.h"
-#include "app/recovery/signal_watch.h"
 #include "app/recovery/unsaved_work.h"
 
 #include <QObject>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,16 +30,21 @@ public:
     /// Asks about the leftovers until one is recovered or the person postpones; the others wait for
     /// the next start. Begins when the window's file is read.
     void offer();
+    /// Gives each leftover that is recovered a window of its own. Without it, this window shows
+    /// one.
+    using Place = std::function<Recovery&()>;
+    void setPlace(Place place) { place_ = std::move(place); }
 
 private:
     void ask(std::vector<app::Leftover> found);
-    void recover(const app::Leftover& chosen, const std::function<void()>& otherwise);
+    void recover(const app::Leftover& chosen, const std::function<void(bool)>& ended);
     void tell();
     void warn();
     void forgetRecovered();
     void discardRecovered();
     void keep(int signal) const;
 
+    struct Watch; ///< for signals, shared by all
     MainWindow& window_;
     QString folder_;
     QString file_; ///< where unsaved work is written; the signal watch gets it through work_
@@ -47,7 +52,8 @@ private:
     app::Journal journal_;
     std::optional<app::Leftover> recovered_; ///< until it is saved, or in the journal
     bool damaged_ = false;                   ///< recovered_ is: its files are kept
-    std::optional<app::SignalWatch> watch_;
+    Place place_;
+    std::shared_ptr<Watch> watch_;
 };
 
 } // namespace ui

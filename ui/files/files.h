@@ -28,11 +28,19 @@ public:
 
     void setQuestions(std::unique_ptr<Questions> questions);
 
+    /// Gives another drawing its place: the files of the window that shall show it, which may be
+    /// these; or null: this file is open and shown. Without it, it replaces the drawing here.
+    /// Null also if no more can be open.
+    using Place = std::function<Files*(const QString& path)>; ///< empty: it is not of a file
+    void setPlace(Place place) { place_ = std::move(place); }
+    bool isUnused() const; ///< an empty drawing or a sample, without changes: it may be replaced
+
     /// Called once, unless the window is destroyed before; at once if nothing has to be read,
     /// written or waited for.
     using Answer = std::function<void(bool)>;
 
     void startNew(std::function<void()> started = {}); ///< an empty A3 sheet
+    void clear();                                      ///< the same here, without a question
     void open();
     void open(const QString& path);
     void openSample(const app::Sample& sample);
@@ -78,6 +86,8 @@ signals:
 private:
     using Turn = InBackground::Turn;
 
+    Files* placeFor(const QString& path = {}) { return place_ ? place_(path) : this; }
+
     // The consequences of the answers of keepChanges(). Each holds its turn until it has ended.
     void replace(std::function<void(const Turn&)> then); ///< not if the person keeps the drawing
     void read(const QString& path, const Turn& turn);
@@ -120,6 +130,7 @@ private:
     app::Session& session_;
     std::unique_ptr<Questions> questions_;
     QString title_, sample_;
+    Place place_;
     QDateTime seen_; ///< the file's modification time when we last read or wrote it
     app::FileWatch watch_;
     InBackground background_;

@@ -89,16 +89,32 @@ bool Files::show(app::Imported imported, const QString& path, const QString& tit
     return true;
 }
 
+bool Files::isUnused() const
+{
+    const app::Document& drawing = session_.now();
+    return !busy() && session_.path().isEmpty()
+           && (sample_.isEmpty() ? session_.history.isClean() && drawing.objects().empty()
+                                 : app::isUnchangedSample(sample_, drawing));
+}
+
 void Files::startNew(std::function<void()> started)
 {
+    if (Files* there = placeFor(); there != this)
+        return there ? there->startNew(std::move(started)) : void();
     replace([this, started = std::move(started)](const Turn&) {
         if (show({app::newDrawing(), {}}, {}, {}) && started)
             started();
     });
 }
 
+void Files::clear() { show({app::newDrawing(), {}}, {}, {}); }
+
 void Files::openMade(app::Document document, const QString& title, Answer opened)
 {
+    if (Files* there = placeFor(); there != this)
+        return there    ? there->openMade(std::move(document), title, std::move(opened))
+               : opened ? opened(false)
+                        : void();
     mayClose(
         [this, document = std::move(document), title, opened = std::move(opened)](bool mayReplace) {
             const bool shown = mayReplace && show({document, {}}, {}, title);
@@ -117,9 +133,10 @@ void Files::open()
 
 void Files::open(const QString& path)
 {
-    replace([this, absolute = QFileInfo(path).absoluteFilePath()](const Turn& turn) {
-        read(absolute, turn);
-    });
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (Files* there = placeFor(absolute); there != this)
+        return there ? there->open(path) : void();
+    replace([this, absolute](const Turn& turn) { read(absolute, turn); });
 }
 
 void Files::read(const QString& path, const Turn& turn)
@@ -155,6 +172,8 @@ void Files::tellLosses()
 
 void Files::openSample(const app::Sample& sample)
 {
+    if (Files* there = placeFor(); there != this)
+        return there ? there->openSample(sample) : void();
     replace([this, sample](const Turn&) {
         auto read = app::readFile(sample.file);
         if (!read)

@@ -5,6 +5,7 @@
 #include "ui/look/text.h"
 #include "ui/menus/menu_rows.h"
 #include "ui/sheets/sheets.h"
+#include "ui/window/drawings.h"
 #include "ui/window/main_window.h"
 
 #include <QFileInfo>
@@ -36,6 +37,11 @@ void addRecent(MainWindow& window, QMenu& menu)
     menu.setToolTipsVisible(true);
     QObject::connect(&menu, &QMenu::aboutToShow, &menu,
                      [&window, &menu] { fillRecent(window, menu); });
+}
+
+bool severalDrawings(const MainWindow& window)
+{
+    return window.drawings() && window.drawings()->count() > 1;
 }
 
 } // namespace
@@ -102,6 +108,8 @@ MenuInfo fileMenu()
                     .keys = {K("Ctrl+W")},
                     .run =
                         [](MainWindow& w) {
+                            if (w.drawings())
+                                return w.drawings()->close(w);
                             w.files().startNew([&w] { w.raisePanel(QStringLiteral("start")); });
                         },
                 },
@@ -109,7 +117,37 @@ MenuInfo fileMenu()
                     .key = "quit",
                     .text = Text::tr("&Quit"),
                     .keys = keys(K::Quit, {K("Ctrl+Q")}),
-                    .run = [](MainWindow& w) { w.close(); },
+                    .run = [](MainWindow& w) { w.window()->close(); },
+                },
+                {
+                    .key = "reopen",
+                    .text = Text::tr("&Reopen closed drawing"),
+                    .keys = {K("Ctrl+Shift+T")},
+                    .run = [](MainWindow& w) { w.drawings()->reopen(); },
+                    .enabled =
+                        [](const MainWindow& w) {
+                            return w.drawings() && w.drawings()->canReopen();
+                        },
+                    .needs = Text::tr("No file was closed."),
+                    .paletteOnly = true,
+                },
+                {
+                    .key = "next-drawing",
+                    .text = Text::tr("&Next drawing"),
+                    .keys = {K("Ctrl+Tab"), K("Ctrl+PgDown")},
+                    .run = [](MainWindow& w) { w.drawings()->showNext(+1); },
+                    .enabled = severalDrawings,
+                    .needs = Text::tr("Only one drawing is open."),
+                    .paletteOnly = true,
+                },
+                {
+                    .key = "previous-drawing",
+                    .text = Text::tr("&Previous drawing"),
+                    .keys = {K("Ctrl+Shift+Tab"), K("Ctrl+PgUp")},
+                    .run = [](MainWindow& w) { w.drawings()->showNext(-1); },
+                    .enabled = severalDrawings,
+                    .needs = Text::tr("Only one drawing is open."),
+                    .paletteOnly = true,
                 },
             },
     };

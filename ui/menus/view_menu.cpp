@@ -345,9 +345,10 @@ MenuInfo viewMenu()
                     .keys = {K("Shift+F11")},
                     .run =
                         [](MainWindow& w) {
-                            w.setWindowState(w.windowState() ^ Qt::WindowFullScreen);
+                            QWidget& whole = *w.window();
+                            whole.setWindowState(whole.windowState() ^ Qt::WindowFullScreen);
                         },
-                    .checked = [](const MainWindow& w) { return w.isFullScreen(); },
+                    .checked = [](const MainWindow& w) { return w.window()->isFullScreen(); },
                 },
             },
         }),

@@ -92,6 +92,15 @@ CommandKeys::CommandKeys(MainWindow& window) : QObject(&window), window_(window)
     window.canvas().leaveKeysToCommands();
 }
 
+void CommandKeys::reread()
+{
+    const QStringList saved = QSettings().value("shortcuts").toStringList();
+    if (saved == table_.saved())
+        return;
+    table_ = app::KeyTable(table_.commands(), saved);
+    apply();
+}
+
 void CommandKeys::tellIgnored()
 {
     if (table_.ignored() == 0)

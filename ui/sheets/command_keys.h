@@ -24,6 +24,7 @@ public:
     static CommandKeys& of(MainWindow& window);
 
     const app::KeyTable& table() const { return table_; }
+    void reread(); ///< the settings, which another window may have changed
     /// `KeyNews` tells of it.
     void change(const std::function<void(app::KeyTable&)>& step);
     /// Says once, after what is being opened, that keys in the settings were ignored, if any were:

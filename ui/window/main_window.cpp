@@ -16,6 +16,7 @@
 #include "ui/widgets/message_strip.h"
 #include "ui/widgets/sheet.h"
 #include "ui/window/centre.h"
+#include "ui/window/drawing_tabs.h"
 #include "ui/window/modes.h"
 #include "ui/window/panel_layout.h"
 #include "ui/window/workspace_tabs.h"
@@ -39,6 +40,8 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
       strip_(new MessageStrip),
       files_(std::make_unique<Files>(session_, *this, std::make_unique<Questions>(*this)))
 {
+    if (parent)
+        setWindowFlags(Qt::Widget); // one of several in the program's window
     setMinimumSize(smallest);
     setAcceptDrops(true);
     setWindowIcon(icon("clearcut"));
@@ -54,7 +57,8 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     rememberGrid();
     rememberPaper();
     limitHistory();
-    restorePlace(*this, placeKey(), usualSize, minimumSize());
+    if (isWindow())
+        restorePlace(*this, placeKey(), usualSize, minimumSize());
     panelLayout_->restore();
     followWorkspace();
     showTitle();
@@ -89,6 +93,9 @@ void MainWindow::addCentre()
 
 void MainWindow::addBars()
 {
+    drawingTabs_ = new DrawingTabs;
+    addToolBar(Qt::TopToolBarArea, drawingTabs_);
+    addToolBarBreak(Qt::TopToolBarArea);
     optionBar_ = new OptionBar(session_, *canvas_);
     addToolBar(Qt::TopToolBarArea, optionBar_);
     connect(optionBar_, &OptionBar::refused, strip_, &MessageStrip::refuse);
@@ -134,6 +141,17 @@ void MainWindow::setTheme(Theme theme)
     applyTheme(*qApp, theme);
     refreshActions();
 }
+
+void MainWindow::takeOver(const MainWindow& before)
+{
+    canvas_->setTool(before.canvas().tool());
+    if (&before.workspace() != &workspace())
+        choose(before.workspace());
+    theme_ = before.theme_;
+    refreshActions();
+}
+
+void MainWindow::saveLayout() { panelLayout_->save(); }
 
 void MainWindow::showStart()
 {

@@ -17,6 +17,8 @@ class AlgorithmPanel;
 class Centre;
 class CostMapPanel;
 class DifferencePanel;
+class DrawingTabs;
+class Drawings;
 class ExactnessPanel;
 class Files;
 class MicroscopePage;
@@ -57,6 +59,14 @@ public:
     OptionBar& optionBar() { return *optionBar_; }
     StatusBar& status() { return *status_; }
     app::DrawnLine& drawnLine() { return drawnLine_; }
+    /// The other drawings of the program; null: this window is alone.
+    Drawings* drawings() const { return drawings_; }
+    void setDrawings(Drawings* drawings) { drawings_ = drawings; }
+    DrawingTabs& drawingTabs() { return *drawingTabs_; } ///< which they fill
+    /// Takes over what is the program's, not the drawing's: tool, workspace, theme.
+    void takeOver(const MainWindow& before);
+    void saveLayout(); ///< of the panels, to the settings
+
     /// The microscope's page; null until the microscope is first opened.
     MicroscopePage* microscopePage() const;
     /// The sheets of the drawing, and their page; null until it is first opened.
@@ -148,6 +158,8 @@ private:
     QString warning_; ///< that the status bar shows
     Centre* centre_ = nullptr;
     ToolBar* toolBar_ = nullptr;
+    DrawingTabs* drawingTabs_ = nullptr;
+    Drawings* drawings_ = nullptr;
     OptionBar* optionBar_ = nullptr;
     StatusBar* status_ = nullptr;
     std::unique_ptr<Files> files_;

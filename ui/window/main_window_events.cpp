@@ -76,7 +76,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     closing_ = Closing::No;
     rememberPlace(*this, placeKey());
-    panelLayout_->save();
+    saveLayout();
     event->accept();
 }
 
@@ -136,7 +136,8 @@ void MainWindow::dropEvent(QDropEvent* event)
             QMetaObject::invokeMethod(
                 this, [this, path = url.toLocalFile()] { files_->open(path); },
                 Qt::QueuedConnection);
-            return;
+            if (!drawings_)
+                return; // one file replaces the drawing
         }
 }
 

@@ -39,15 +39,15 @@ PresentingMode::~PresentingMode()
 void PresentingMode::enter()
 {
     fontBefore_ = QApplication::font();
-    statesBefore_ = window_.windowState();
+    statesBefore_ = window_.window()->windowState();
     setFontOfAll(enlarged(*fontBefore_));
-    window_.setWindowState(statesBefore_ | Qt::WindowFullScreen);
+    window_.window()->setWindowState(statesBefore_ | Qt::WindowFullScreen);
 }
 
 void PresentingMode::leave()
 {
     setFontOfAll(*std::exchange(fontBefore_, std::nullopt));
-    window_.setWindowState(statesBefore_);
+    window_.window()->setWindowState(statesBefore_);
 }
 
 } // namespace ui

@@ -50,7 +50,7 @@ void say(const QString& line)
 
 MainWindow* mainWindow()
 {
-    for (QWidget* widget : QApplication::topLevelWidgets())
+    for (QWidget* widget : QApplication::allWidgets())
         if (auto* window = qobject_cast<MainWindow*>(widget); window && window->isVisible())
             return window;
     return nullptr;

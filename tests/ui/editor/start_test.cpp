@@ -29,7 +29,7 @@ namespace {
 
 ui::MainWindow* mainWindow()
 {
-    for (QWidget* widget : QApplication::topLevelWidgets())
+    for (QWidget* widget : QApplication::allWidgets())
         if (auto* window = qobject_cast<ui::MainWindow*>(widget); window && window->isVisible())
             return window;
     return nullptr;

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/move_objects.h"
+#include "app/recovery/replay.h"
+#include "ui/editor/desk.h"
+#include "ui/explanation/explanation_window.h"
+#include "ui/window/drawing_tabs.h"
+#include "ui/window/workspaces.h"
+
+#include <QApplication>
+#include <QMimeData>
+#include <QTabBar>
+
+#include "tests/content_of.h"
+#include "tests/test_class.h"
+#include "tests/ui/test_window.h"
+
+namespace editor_desk_test {
+
+using namespace ui;
+
+namespace {
+
+/// The program's window with prepared answers in each of its drawings.
+struct TestDesk {
+    TestDesk()
+    {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+        QCoreApplication::setOrganizationName("Clearcut");
+        QCoreApplication::setApplicationName("Clearcut");
+        applyTheme(*qApp, Theme::Light);
+        desk = std::make_unique<Desk>(Backend::Raster);
+        QObject::connect(desk.get(), &Desk::made, [this](MainWindow& window) { prepare(window); });
+        prepare(desk->current());
+        desk->resize(1280, 800);
+        static_cast<QWidget&>(*desk).show();
+        [[maybe_unused]] const bool shown = QTest::qWaitForWindowExposed(desk.get());
+        desk->activateWindow();
+    }
+    void prepare(MainWindow& window)
+    {
+        auto prepared = std::make_unique<PreparedAnswers>(window);
+        answers[&window] = prepared.get();
+        window.setQuestions(std::move(prepared));
+    }
+    PreparedAnswers& answersOf(MainWindow& window) { return *answers[&window]; }
+    QString file(const QString& name, double x = 5) const
+    {
+        QFile out(folder.filePath(name));
+        QDir().mkpath(QFileInfo(out).path());
+        [[maybe_unused]] const bool open = out.open(QIODevice::WriteOnly);
+        out.write(QStringLiteral("<svg xmlns='http://www.w3.org/2000/svg' width='100mm' "
+                                 "height='100mm' viewBox='0 0 100 100'><path d='M0 50H100M0 5H%1' "
+                                 "stroke='#000' fill='none'/></svg>")
+                      .arg(x)
+                      .toUtf8());
+        return out.fileName();
+    }
+    void open(const QString& path) const
+    {
+        desk->current().files().open(path);
+        for (int i = 0; i < desk->count(); ++i)
+            desk->at(i).files().wait();
+    }
+    QAction* action(const char* name) const
+    {
+        return desk->current().findChild<QAction*>(name, Qt::FindDirectChildrenOnly);
+    }
+    void run(const char* command) const
+    {
+        action(command)->trigger();
+        desk->current().files().wait();
+    }
+    static void edit(MainWindow& window)
+    {
+        app::Session& session = window.session();
+        session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
+    }
+    QTabBar& tabs() const { return *desk->current().findChild<QTabBar*>("drawing-tabs"); }
+    QStringList names() const
+    {
+        QStringList all;
+        for (int i = 0; i < tabs().count(); ++i)
+            all << tabs().tabText(i);
+        return all;
+    }
+
+    QTemporaryDir folder;
+    std::map<MainWindow*, PreparedAnswers*> answers;
+    std::unique_ptr<Desk> desk;
+};
+
+} // namespace
+
+class DeskTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void oneDrawingHasNoTabs()
+    {
+        TestDesk t;
+        QCOMPARE(t.desk->count(), 1);
+        QVERIFY(!t.desk->current().drawingTabs().isVisible());
+        t.open(t.file("one.svg")); // replaces the empty drawing
+        QCOMPARE(t.desk->count(), 1);
+        QCOMPARE(t.desk->windowTitle(), t.desk->current().windowTitle());
+        QVERIFY(t.desk->windowTitle().contains("one.svg"));
+    }
+
+    void aSecondFileOpensBesideTheFirst()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        MainWindow& first = t.desk->current();
+        t.edit(first);
+        t.open(t.file("two.svg", 7));
+        QCOMPARE(t.desk->count(), 2);
+        MainWindow& second = t.desk->current();
+        QVERIFY(&second != &first && second.isVisible() && !first.isVisible());
+        QCOMPARE(t.answersOf(first).asked, 0); // nothing is given up
+        QCOMPARE(first.session().history.count(), 1);
+        QCOMPARE(second.session().history.count(), 0);
+        QVERIFY(second.drawingTabs().isVisible());
+        QCOMPARE(t.names(), QStringList({"one.svg", "two.svg"}));
+        QCOMPARE(t.tabs().currentIndex(), 1);
+        QVERIFY(t.tabs().accessibleTabName(0).contains("not saved"));
+        QVERIFY(!t.desk->isWindowModified());
+        QTest::keyClick(second.canvas().focusProxy(), Qt::Key_Tab, Qt::ControlModifier);
+        QCOMPARE(&t.desk->current(), &first);
+        QVERIFY(t.desk->isWindowModified());
+        first.session().history.undo();
+        QVERIFY(!t.desk->isWindowModified());
+    }
+
+    void theSameFileTwiceShowsItsTab()
+    {
+        TestDesk t;
+        const QString one = t.file("one.svg"), two = t.file("two.svg");
+        t.open(one);
+        t.open(two);
+        t.open(one);
+        QCOMPARE(t.desk->count(), 2);
+        QCOMPARE(t.desk->current().session().path(), one);
+        t.open(QFileInfo(two).path() + "/./two.svg");
+        QCOMPARE(t.desk->count(), 2);
+    }
+
+    void sameNamesHaveTheirFolder()
+    {
+        TestDesk t;
+        t.open(t.file("a/plan.svg"));
+        t.open(t.file("b/plan.svg"));
+        QCOMPARE(t.names(), QStringList({"plan.svg – a", "plan.svg – b"}));
+    }
+
+    void toolAndWorkspaceGoAlong()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        t.desk->current().canvas().setTool("pen");
+        t.desk->current().choose(
+            *std::ranges::find(workspaces(), "workspace-compare", &Workspace::key));
+        t.run("new");
+        QCOMPARE(t.desk->count(), 2);
+        QCOMPARE(t.desk->current().canvas().tool(), "pen");
+        QCOMPARE(t.desk->current().workspace().key, "workspace-compare");
+        QVERIFY(t.desk->current().canvas().focusProxy()->hasFocus());
+    }
+
+    void closingAsksAndReopens()
+    {
+        TestDesk t;
+        const QString one = t.file("one.svg"), two = t.file("two.svg");
+        t.open(one);
+        t.open(two);
+        MainWindow& second = t.desk->current();
+        t.edit(second);
+        t.run("close"); // the answer is Cancel
+        QCOMPARE(t.answersOf(second).asked, 1);
+        QCOMPARE(t.desk->count(), 2);
+        t.answersOf(second).answer = Questions::Answer::DontSave;
+        t.run("close");
+        QCOMPARE(t.desk->count(), 1);
+        QCOMPARE(t.desk->current().session().path(), one);
+        QVERIFY(!t.desk->current().drawingTabs().isVisible());
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        t.run("reopen");
+        QCOMPARE(t.desk->count(), 2);
+        QCOMPARE(t.desk->current().session().path(), two);
+        t.run("close");
+        t.run("close"); // the last one leaves an empty drawing
+        QCOMPARE(t.desk->count(), 1);
+        QVERIFY(t.desk->current().session().path().isEmpty());
+        t.run("reopen");
+        QCOMPARE(t.desk->current().session().path(), one);
+        QCOMPARE(t.desk->count(), 1);
+    }
+
+    void tabsAreClickedClosedAndMoved()
+    {
+        TestDesk t;
+        for (const char* name : {"one.svg", "two.svg", "three.svg"})
+            t.open(t.file(name));
+        QTest::mouseClick(&t.tabs(), Qt::LeftButton, {}, t.tabs().tabRect(0).center());
+        QVERIFY(t.desk->current().session().path().endsWith("one.svg"));
+        t.tabs().moveTab(0, 2);
+        QCoreApplication::processEvents();
+        QCOMPARE(t.names(), QStringList({"two.svg", "three.svg", "one.svg"}));
+        QVERIFY(t.desk->current().session().path().endsWith("one.svg"));
+        QTest::mouseClick(&t.tabs(), Qt::MiddleButton, {}, t.tabs().tabRect(0).center());
+        QCOMPARE(t.names(), QStringList({"three.svg", "one.svg"}));
+        QTest::mouseClick(t.tabs().tabButton(1, QTabBar::RightSide), Qt::LeftButton);
+        QCOMPARE(t.desk->count(), 1);
+    }
+
+    void quittingAsksAboutEachUnsavedDrawing()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        t.edit(t.desk->current());
+        t.open(t.file("two.svg"));
+        t.open(t.file("three.svg"));
+        t.edit(t.desk->current());
+        t.answersOf(t.desk->at(0)).answer = Questions::Answer::DontSave;
+        t.desk->close(); // about the third: Cancel
+        QCoreApplication::processEvents();
+        QVERIFY(t.desk->isVisible());
+        QCOMPARE(t.desk->count(), 3); // nothing is closed before all agree
+        QCOMPARE(t.answersOf(t.desk->at(0)).asked, 1);
+        QCOMPARE(t.answersOf(t.desk->at(1)).asked, 0);
+        QCOMPARE(t.answersOf(t.desk->at(2)).asked, 1);
+        QCOMPARE(&t.desk->current(), &t.desk->at(2)); // which the question is about
+        t.answersOf(t.desk->at(2)).answer = Questions::Answer::Save;
+        t.desk->close();
+        QTRY_VERIFY(!t.desk->isVisible());
+        QVERIFY(contentOf(t.folder.filePath("three.svg")).size() > 0);
+    }
+
+    void objectsGoFromOneToTheOther()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        t.run("select-all");
+        t.run("copy");
+        t.run("new");
+        t.run("paste");
+        QCOMPARE(t.desk->count(), 2);
+        QCOMPARE(t.desk->current().session().now().objects().size(),
+                 t.desk->at(0).session().now().objects().size());
+    }
+
+    void keysThatWereChangedAreEverywhere()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        t.open(t.file("two.svg"));
+        QSettings().setValue("shortcuts", QStringList{"invert-selection\tCtrl+F9"});
+        t.desk->showNext(1);
+        QCOMPARE(t.action("invert-selection")->shortcut(), QKeySequence("Ctrl+F9"));
+        QSettings().remove("shortcuts");
+    }
+
+    void thereIsALimit()
+    {
+        TestDesk t;
+        constexpr int most = 3;
+        t.desk->setMost(most);
+        t.open(t.file("file0.svg"));
+        while (t.desk->count() < most)
+            t.open(t.file(QStringLiteral("file%1.svg").arg(t.desk->count())));
+        MainWindow& last = t.desk->current();
+        t.open(t.file("more.svg"));
+        t.run("new");
+        QCOMPARE(t.desk->count(), most);
+        QVERIFY(last.message().contains("no more can be"));
+        t.run("close");
+        t.open(t.file("more.svg"));
+        QCOMPARE(t.desk->current().session().path(), t.folder.filePath("more.svg"));
+    }
+
+    // Each drawing has a journal, and all are recovered side by side.
+    void allUnsavedDrawingsAreRecovered()
+    {
+        TestDesk t;
+        const QString unsaved = t.folder.filePath("unsaved"), kept = t.folder.filePath("kept");
+        t.desk->keepJournals(unsaved);
+        for (const char* name : {"one.svg", "two.svg", "three.svg"}) {
+            t.open(t.file(name));
+            t.edit(t.desk->current());
+        }
+        const auto journals = [&] {
+            return QDir(unsaved).entryList({"*.journal"}, QDir::Dirs | QDir::NoDotAndDotDot);
+        };
+        QTRY_COMPARE(journals().size(), 3);
+        // What a crash leaves: a copy of them, without an owner.
+        QTRY_VERIFY([&] {
+            QDir(kept).removeRecursively();
+            QDir().mkpath(kept);
+            for (const QString& journal : journals()) {
+                QDir().mkpath(kept + '/' + journal);
+                for (const QString& one : QDir(unsaved + '/' + journal).entryList(QDir::Files))
+                    if (!one.contains("lock"))
+                        QFile::copy(unsaved + '/' + journal + '/' + one,
+                                    kept + '/' + journal + '/' + one);
+            }
+            return app::claimLeftovers(kept).size() == 3;
+        }());
+        for (int i = 0; i < t.desk->count(); ++i)
+            t.answersOf(t.desk->at(i)).answer = Questions::Answer::DontSave;
+        t.desk.reset();
+        QVERIFY(journals().isEmpty());
+        TestDesk next;
+        struct RecoverAll : PreparedAnswers {
+            using PreparedAnswers::PreparedAnswers;
+            LeftoverAnswer aboutLeftovers(const std::vector<app::Leftover>&) override
+            {
+                return {LeftoverAnswer::Verb::Recover, 0};
+            }
+        };
+        next.desk->current().setQuestions(std::make_unique<RecoverAll>(next.desk->current()));
+        next.desk->keepJournals(kept);
+        next.desk->offerRecovery();
+        const auto allIdle = [&] {
+            for (int i = 0; i < next.desk->count(); ++i)
+                if (next.desk->at(i).files().busy())
+                    return false;
+            return true;
+        };
+        QTRY_VERIFY(next.desk->count() == 3 && allIdle());
+        for (int i = 0; i < 3; ++i) {
+            const app::Session& session = next.desk->at(i).session();
+            QVERIFY(!session.history.isClean() && session.history.canUndo());
+            QCOMPARE(session.now().objects().size(), std::size_t(1));
+        }
+    }
+};
+
+} // namespace editor_desk_test
+
+TEST_CLASS(editor_desk_test::DeskTest, Widgets)
+#include "tests/ui/editor/desk_test.moc"

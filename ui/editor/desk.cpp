@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor/desk.h"
+
+#include "ui/files/files.h"
+#include "ui/look/look_icon.h"
+#include "ui/look/text.h"
+#include "ui/look/window_place.h"
+#include "ui/menus/actions.h"
+#include "ui/sheets/command_keys.h"
+#include "ui/window/drawing_tabs.h"
+
+#include <QCloseEvent>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QStackedLayout>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+constexpr QSize usualSize(1280, 800);
+const QString placeKey = QStringLiteral("geometry"); // in the settings
+
+/// Panels that float are windows, which do not hide with the page that owns them.
+void showFloating(const MainWindow& window, bool shown)
+{
+    for (auto* dock : window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        if (dock->isFloating() && dock->toggleViewAction()->isChecked())
+            dock->setVisible(shown);
+}
+
+} // namespace
+
+Desk::Desk(Backend backend, QWidget* parent)
+    : QWidget(parent), backend_(backend), pages_(new QStackedLayout(this))
+{
+    setObjectName(QStringLiteral("desk"));
+    setWindowIcon(icon("clearcut"));
+    add();
+    restorePlace(*this, placeKey, usualSize, current().minimumSize());
+    setFocusProxy(&current());
+}
+
+Desk::~Desk()
+{
+    for (Open& open : open_) {
+        open.recovery.reset(); // before its window
+        open.window->removeEventFilter(this);
+        delete open.window;
+    }
+}
+
+Desk::Open& Desk::add()
+{
+    auto* window = new MainWindow(backend_, this);
+    addMenus(*window);
+    window->setDrawings(this);
+    window->files().setPlace(
+        [this, window](const QString& path) { return placeFor(*window, path); });
+    window->installEventFilter(this);
+    DrawingTabs& tabs = window->drawingTabs();
+    connect(&tabs, &DrawingTabs::chosen, this, [this](int tab) { show(at(tab)); });
+    connect(&tabs, &DrawingTabs::closeWanted, this, [this](int tab) { close(at(tab)); });
+    connect(&tabs, &DrawingTabs::moved, this, &Desk::move);
+    connect(&tabs, &DrawingTabs::newWanted, this, [this] { current().files().startNew(); });
+    connect(&window->files(), &Files::nameChanged, this, &Desk::showTabs, Qt::QueuedConnection);
+    pages_->addWidget(window);
+    open_.push_back({window});
+    addRecovery(open_.back());
+    emit made(*window);
+    return open_.back();
+}
+
+void Desk::keepJournals(const QString& folder)
+{
+    folder_ = folder;
+    for (Open& open : open_)
+        addRecovery(open);
+}
+
+void Desk::offerRecovery()
+{
+    Recovery& first = *open_.front().recovery;
+    first.setPlace([this]() -> Recovery& {
+        MainWindow* window = unused(current());
+        show(window ? *window : *add().window);
+        return *open_[current_].recovery;
+    });
+    first.offer();
+}
+
+void Desk::addRecovery(Open& open)
+{
+    if (!folder_.isEmpty() && !open.recovery)
+        open.recovery = std::make_unique<Recovery>(*open.window, folder_);
+}
+
+std::size_t Desk::numberOf(const MainWindow& window) const
+{
+    return std::size_t(std::ranges::find(open_, &window, &Open::window) - open_.begin());
+}
+
+/// The window that asks if it is not in use, else any other such window; null: all are.
+MainWindow* Desk::unused(MainWindow& asking)
+{
+    if (asking.files().isUnused())
+        return &asking;
+    const auto found = std::ranges::find_if(
+        open_, [](const Open& open) { return open.window->files().isUnused(); });
+    return found == open_.end() ? nullptr : found->window;
+}
+
+Files* Desk::placeFor(MainWindow& asking, const QString& path)
+{
+    if (!path.isEmpty())
+        for (const Open& open : open_)
+            if (open.window->session().path() == path) {
+                show(*open.window);
+                return nullptr;
+            }
+    MainWindow* window = unused(asking);
+    if (!window && count() >= most_) {
+        asking.tell({Message::Kind::Warning,
+                     Text::tr("%1 drawings are open, and no more can be. Close one first (Ctrl+W).")
+                         .arg(most_)});
+        return nullptr;
+    }
+    if (!window)
+        window = add().window;
+    show(*window);
+    return &window->files();
+}
+
+void Desk::show(MainWindow& window)
+{
+    const MainWindow& before = current();
+    current_ = numberOf(window);
+    if (&before != &window) {
+        showFloating(before, false);
+        CommandKeys::of(window).reread();
+        window.takeOver(before);
+        pages_->setCurrentWidget(&window);
+        showFloating(window, true);
+        setFocusProxy(&window);
+        window.canvas().setFocus();
+    }
+    showTabs();
+    emit currentChanged();
+}
+
+void Desk::open(const QStringList& files)
+{
+    for (const QString& file : files)
+        current().files().open(file);
+}
+
+void Desk::showNext(int by) { show(at((int(current_) + by + count()) % count())); }
+
+void Desk::close(MainWindow& window)
+{
+    show(window);
+    const QString path = window.session().path();
+    if (count() == 1)
+        return window.files().mayClose([this, path, &window](bool agreed) {
+            if (!agreed)
+                return;
+            if (!path.isEmpty())
+                closed_ << path;
+            window.files().clear();
+            window.raisePanel(QStringLiteral("start"));
+        });
+    window.files().mayClose([this, path, &window](bool agreed) {
+        if (!agreed)
+            return;
+        if (!path.isEmpty())
+            closed_ << path;
+        remove(numberOf(window));
+    });
+}
+
+/// The window is deleted when the functions of its menus have ended.
+void Desk::remove(std::size_t number)
+{
+    MainWindow* const window = open_[number].window;
+    if (number == current_) {
+        const std::size_t next = number + 1 < open_.size() ? number + 1 : number - 1;
+        show(*open_[next].window);
+    }
+    window->saveLayout();
+    window->removeEventFilter(this);
+    Open gone = std::move(open_[number]);
+    open_.erase(open_.begin() + std::ptrdiff_t(number));
+    if (current_ > number)
+        --current_;
+    gone.recovery.reset();
+    pages_->removeWidget(window);
+    window->hide();
+    window->deleteLater();
+    showTabs();
+    emit currentChanged();
+}
+
+void Desk::reopen()
+{
+    if (canReopen())
+        current().files().open(closed_.takeLast());
+}
+
+void Desk::move(int from, int to)
+{
+    const MainWindow* shown = &current();
+    const auto moved = open_.begin() + from;
+    if (from < to)
+        std::rotate(moved, moved + 1, open_.begin() + to + 1);
+    else
+        std::rotate(open_.begin() + to, moved, moved + 1);
+    current_ = numberOf(*shown);
+    // The bar is in the middle of its own move.
+    QMetaObject::invokeMethod(this, &Desk::showTabs, Qt::QueuedConnection);
+}
+
+void Desk::showTabs()
+{
+    std::vector<DrawingTab> tabs;
+    for (const Open& open : open_)
+        tabs.push_back({open.window->files().name(), open.window->session().path(),
+                        !open.window->session().history.isClean()});
+    // Files of the same name are told apart by their folders.
+    std::vector<DrawingTab> named = tabs;
+    for (std::size_t i = 0; i < tabs.size(); ++i)
+        if (!tabs[i].tip.isEmpty() && std::ranges::count(tabs, tabs[i].name, &DrawingTab::name) > 1)
+            named[i].name = QStringLiteral("%1 – %2").arg(
+                tabs[i].name, QFileInfo(tabs[i].tip).absoluteDir().dirName());
+    current().drawingTabs().show(named, int(current_));
+    setWindowTitle(current().windowTitle());
+    setWindowFilePath(current().windowFilePath());
+    setWindowModified(current().isWindowModified());
+}
+
+bool Desk::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ModifiedChange || event->type() == QEvent::WindowTitleChange)
+        showTabs();
+    return QWidget::eventFilter(watched, event);
+}
+
+/// Asks about one drawing after the other, and closes the program when all may be closed.
+void Desk::closeEvent(QCloseEvent* event)
+{
+    event->ignore();
+    if (leaving_ == Leaving::No) {
+        leaving_ = Leaving::Asking;
+        askFrom(0);
+    }
+    if (leaving_ != Leaving::Agreed)
+        return;
+    current().saveLayout();
+    rememberPlace(*this, placeKey);
+    event->accept();
+}
+
+void Desk::askFrom(std::size_t number)
+{
+    if (number == open_.size()) {
+        leaving_ = Leaving::Agreed;
+        // close() inside closeEvent would do nothing.
+        return void(QMetaObject::invokeMethod(
+            this, [this] { close(); }, Qt::QueuedConnection));
+    }
+    MainWindow& window = *open_[number].window;
+    if (!window.session().history.isClean())
+        show(window);
+    window.files().mayClose([this, number](bool agreed) {
+        if (agreed)
+            return askFrom(number + 1);
+        leaving_ = Leaving::No;
+    });
+}
+
+} // namespace ui
+
+#include "moc_desk.cpp"

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/editor/recovery.h"
+#include "ui/window/drawings.h"
+#include "ui/window/main_window.h"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+class QStackedLayout;
+
+namespace ui {
+
+/// The program's window: the open drawings, each with a MainWindow of its own, of which one is
+/// shown, with tabs while there are several. Each has its own undo steps, view and journal; tool,
+/// workspace and theme go along from one to the next.
+class Desk : public QWidget, public Drawings {
+    Q_OBJECT
+
+public:
+    explicit Desk(Backend backend = Backend::Automatic, QWidget* parent = nullptr);
+    ~Desk() override;
+
+    void keepJournals(const QString& folder = app::leftoverFolder()); ///< from now on
+    void offerRecovery(); ///< of what earlier runs left; each in a window of its own
+
+    MainWindow& current() const { return *open_[current_].window; }
+    MainWindow& at(int number) const { return *open_[std::size_t(number)].window; }
+    void setMost(int drawings) { most_ = drawings; } ///< that can be open at a time
+    void show(MainWindow& window);
+    void open(const QStringList& files);
+
+    int count() const override { return int(open_.size()); }
+    void showNext(int by) override;
+    void close(MainWindow& window) override;
+    void reopen() override;
+    bool canReopen() const override { return !closed_.isEmpty(); }
+
+    using QWidget::close;
+    using QWidget::show;
+
+signals:
+    void made(MainWindow& window); ///< a further one
+    void currentChanged();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Open {
+        MainWindow* window;
+        std::unique_ptr<Recovery> recovery{};
+    };
+    std::size_t numberOf(const MainWindow& window) const;
+    Open& add();
+    Files* placeFor(MainWindow& asking, const QString& path);
+    MainWindow* unused(MainWindow& asking);
+    void addRecovery(Open& open);
+    void remove(std::size_t number);
+    void move(int from, int to);
+    void showTabs();
+    void askFrom(std::size_t number);
+
+    Backend backend_;
+    int most_ = 30; ///< each needs some 10 MB and a moment when the program starts or ends
+    QStackedLayout* pages_;
+    std::vector<Open> open_; ///< in the order of the tabs; never empty
+    std::size_t current_ = 0;
+    QStringList closed_; ///< files, the last one last
+    QString folder_;     ///< of journals; empty: none are kept
+    enum class Leaving : std::uint8_t { No, Asking, Agreed };
+    Leaving leaving_ = Leaving::No;
+};
+
+} // namespace ui

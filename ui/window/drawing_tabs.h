@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QToolBar>
+
+#include <vector>
+
+class QTabBar;
+class QToolButton;
+
+namespace ui {
+
+/// What the tab of an open drawing says.
+struct DrawingTab {
+    QString name{};
+    QString tip{}; ///< the path of the file
+    bool modified = false;
+    friend bool operator==(const DrawingTab&, const DrawingTab&) = default;
+};
+
+/// The bar with a tab for each open drawing, above all others; hidden as long as there is only one.
+/// The tab of a drawing with unsaved changes has a dot, in the place of the cross that closes it.
+class DrawingTabs : public QToolBar {
+    Q_OBJECT
+
+public:
+    explicit DrawingTabs(QWidget* parent = nullptr);
+
+    void show(const std::vector<DrawingTab>& tabs, int current);
+
+signals:
+    void chosen(int tab);
+    void closeWanted(int tab);
+    void moved(int from, int to);
+    void newWanted();
+
+private:
+    QTabBar* bar_;
+    std::vector<DrawingTab> shown_;
+};
+
+} // namespace ui

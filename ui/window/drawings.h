@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace ui {
+
+class MainWindow;
+
+/// The drawings that are open, each in a window of its own, one of which is shown. A window that
+/// has none of it is alone.
+class Drawings {
+public:
+    virtual ~Drawings() = default;
+
+    virtual int count() const = 0;
+    virtual void showNext(int by) = 0; ///< in a circle
+    /// Closes the drawing of a window, after a question about unsaved changes.
+    virtual void close(MainWindow& window) = 0;
+    virtual void reopen() = 0; ///< the file that was closed last
+    virtual bool canReopen() const = 0;
+};
+
+} // namespace ui
