@@ -69,7 +69,7 @@ QString commandOverview()
     std::vector<std::pair<QString, QString>> rows;
     for (const Command& command : commands())
         rows.emplace_back(QLatin1StringView(command.key), command.summary);
-    return Text::tr("Usage: clearcut [FILE]                 opens the editor\n"
+    return Text::tr("Usage: clearcut [FILE …]               opens the editor\n"
                     "       clearcut COMMAND [OPTIONS]      works without a display\n"
                     "       clearcut COMMAND --help         shows the help of a command\n"
                     "       clearcut --version\n\nOptions of the editor:\n")
@@ -82,6 +82,7 @@ QString commandOverview()
                 {"--microscope LINE|first",
                  Text::tr("Open the microscope at \"10, 20 -> 70, 130\", or at the first line.")},
                 {"--step N", Text::tr("The step that the microscope shows.")},
+                {"--new-window", Text::tr("Do not open the files in the window that is open.")},
                 {"--verbose", Text::tr("Print when the first frame was shown.")},
                 {"--screenshot FILE.png", Text::tr("Save a picture of the window and end.")}})
            + Text::tr("\nCommands:\n") + aligned(rows) + u'\n'

@@ -8,6 +8,7 @@
 #include "ui/editor/desk.h"
 #include "ui/editor/display.h"
 #include "ui/editor/editor_application.h"
+#include "ui/editor/running_program.h"
 #include "ui/files/files.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
@@ -40,7 +41,7 @@ constexpr int mostPixels = 10'000;       // limit of --size in each direction: a
 constexpr QSize usualPicture(1280, 800);
 
 struct Options {
-    Backend backend = Backend::Automatic;
+    std::optional<Backend> backend;
     std::optional<Theme> theme;
     QStringList files;
     QString screenshot;
@@ -50,7 +51,23 @@ struct Options {
     std::optional<app::Variant> algorithm; ///< the variant that clips
     std::size_t step = 1;
     bool verbose = false;
+    bool ownWindow = false; ///< even if the program is running
     QString refusal; ///< why the arguments were refused, for the window; empty: they were not
+
+    /// Whether a program that is running can do the same: it opens files, and nothing else is
+    /// asked.
+    bool isPlain() const
+    {
+        return !backend && !theme && screenshot.isEmpty() && !size && panes.isEmpty() && !microscope
+               && !algorithm && !verbose && !ownWindow && refusal.isEmpty();
+    }
+    QStringList absoluteFiles() const
+    {
+        QStringList paths;
+        for (const QString& file : files)
+            paths << QFileInfo(file).absoluteFilePath();
+        return paths;
+    }
 };
 
 void complain(const QString& sentence)
@@ -123,6 +140,8 @@ std::optional<app::Refusal> parse(Options& options, const QStringList& arguments
             onlyFiles = true;
         } else if (argument == "--verbose" && !onlyFiles) {
             options.verbose = true;
+        } else if (argument == "--new-window" && !onlyFiles) {
+            options.ownWindow = true;
         } else if (argument.startsWith("--") && !onlyFiles) {
             const bool joined = argument.contains(u'=');
             const QString value = joined ? argument.section(u'=', 1) : arguments.value(++i);
@@ -184,13 +203,14 @@ void openMicroscope(MainWindow& window, const Options& options)
 }
 
 /// Opens what the options request; saves the screenshot when everything is painted.
-int show(EditorApplication& application, const Options& options, const QElapsedTimer& clock)
+int show(EditorApplication& application, const Options& options, const QElapsedTimer& clock,
+         const QString& socket)
 {
     // With a style sheet, each widget that gets a parent has everything below it restyled. That
     // would take a quarter of the start, so the complete window gets the sheet at once.
     const QString styleSheet = application.styleSheet();
     application.setStyleSheet({});
-    Desk desk(options.backend);
+    Desk desk(options.backend.value_or(Backend::Automatic));
     application.setStyleSheet(styleSheet);
     const auto follow = [&] { application.setWindow(&desk.current()); };
     QObject::connect(&desk, &Desk::currentChanged, &application, follow);
@@ -239,6 +259,12 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
                                  std::fprintf(stderr, "first frame after %lld ms\n",
                                               static_cast<long long>(clock.elapsed()));
                          });
+    const Listener listener(socket);
+    QObject::connect(&listener, &Listener::wanted, &desk, [&desk](const QStringList& files) {
+        desk.raise();
+        desk.activateWindow();
+        desk.open(files);
+    });
     desk.show();
     if (options.microscope)
         openMicroscope(window, options);
@@ -294,8 +320,11 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
     const auto application = startApplication(argc, argv);
+    const QString socket = options.isPlain() ? socketOfProgram() : QString();
+    if (handOver(socket, options.absoluteFiles()))
+        return int(app::Exit::Done);
     applyTheme(*application, options.theme.value_or(savedTheme()));
-    return show(*application, options, clock);
+    return show(*application, options, clock, socket);
 }
 
 } // namespace ui

@@ -27,8 +27,8 @@ namespace ui {
 
 namespace {
 
-constexpr QSize usual(760, 802), smallest(560, 360);
-constexpr int contentsWidth = 212, fieldWidth = 220;
+constexpr QSize usual(660, 802), smallest(560, 360);
+constexpr int contentsWidth = 204, fieldWidth = 220;
 
 /// Where the panels are, which are at the right of the editor.
 void putOverPanels(QWidget& help, const QWidget& editor)

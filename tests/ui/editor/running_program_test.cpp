@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor/running_program.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include "tests/test_class.h"
+
+namespace editor_running_program_test {
+
+using namespace ui;
+
+namespace {
+
+/// Hands over from a thread of its own, as another process does.
+bool handOverFromOutside(const QString& socket, const QStringList& files)
+{
+    bool taken = false;
+    const std::unique_ptr<QThread> other(QThread::create([&] { taken = handOver(socket, files); }));
+    other->start();
+    while (!other->isFinished())
+        QTest::qWait(5);
+    return taken;
+}
+
+} // namespace
+
+class RunningProgramTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void filesAreHandedOver()
+    {
+        const QTemporaryDir folder;
+        const QString socket = folder.filePath("socket");
+        QVERIFY(!handOver(socket, {"/a.svg"})); // nobody is there
+        Listener listener(socket);
+        QSignalSpy wanted(&listener, &Listener::wanted);
+        const QStringList files{"/a b.svg", QString::fromUtf8("/ü/€.svg")};
+        QVERIFY(handOverFromOutside(socket, files));
+        QCOMPARE(wanted.size(), 1);
+        QCOMPARE(wanted[0][0].toStringList(), files);
+        QVERIFY(handOverFromOutside(socket, {}));
+        QCOMPARE(wanted.size(), 2);
+        QVERIFY(!(QFile::permissions(socket) & (QFile::ReadOther | QFile::WriteOther)));
+    }
+
+    void whatACrashLeftIsReplaced()
+    {
+        const QTemporaryDir folder;
+        const QString socket = folder.filePath("socket");
+        QFile file(socket);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.close();
+        QVERIFY(!handOver(socket, {}));
+        const Listener listener(socket);
+        QVERIFY(handOverFromOutside(socket, {}));
+    }
+
+    void onlyOneListens()
+    {
+        const QTemporaryDir folder;
+        const QString socket = folder.filePath("socket");
+        Listener first(socket);
+        QSignalSpy wanted(&first, &Listener::wanted);
+        std::unique_ptr<QThread> other(QThread::create([&] { const Listener second(socket); }));
+        other->start();
+        while (!other->isFinished())
+            QTest::qWait(5);
+        wanted.clear();
+        QVERIFY(handOverFromOutside(socket, {"/x.svg"}));
+        QCOMPARE(wanted.size(), 1);
+    }
+
+    void nonsenseIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("nothing") << QByteArray();
+        QTest::newRow("text") << QByteArray("GET / HTTP/1.1\r\n\r\n");
+        QTest::newRow("long list") << QByteArray::fromHex("636C6331FFFFFFFE");
+        QTest::newRow("long text") << QByteArray::fromHex("636C633100000001FFFFFFFE") + "abc";
+        QTest::newRow("relative") << QByteArray::fromHex("636C633100000001000000020061");
+        QTest::newRow("much") << QByteArray(3'000'000, 'x');
+    }
+    void nonsenseIsRefused()
+    {
+        QFETCH(QByteArray, bytes);
+        const QTemporaryDir folder;
+        const QString socket = folder.filePath("socket");
+        Listener listener(socket);
+        QSignalSpy wanted(&listener, &Listener::wanted);
+        const int there = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0);
+        sockaddr_un place{};
+        place.sun_family = AF_UNIX;
+        qstrncpy(place.sun_path, qPrintable(socket), sizeof place.sun_path);
+        QCOMPARE(::connect(there, reinterpret_cast<const sockaddr*>(&place), sizeof place), 0);
+        QVERIFY(::send(there, bytes.data(), std::size_t(bytes.size()), MSG_NOSIGNAL) >= 0);
+        QTest::qWait(50);
+        ::close(there);
+        QVERIFY(handOverFromOutside(socket, {"/good.svg"}));
+        QCOMPARE(wanted.size(), 1);
+    }
+
+    void foldersOfOthersAreNotUsed()
+    {
+        const QTemporaryDir folder;
+        qputenv("XDG_RUNTIME_DIR", folder.path().toUtf8());
+        QVERIFY(socketOfProgram().isEmpty()); // there is no display
+    }
+};
+
+} // namespace editor_running_program_test
+
+TEST_CLASS(editor_running_program_test::RunningProgramTest, Gui)
+#include "tests/ui/editor/running_program_test.moc"
