@@ -136,9 +136,11 @@ Files* Desk::placeFor(MainWindow& asking, const QString& path)
 
 void Desk::show(MainWindow& window)
 {
-    const MainWindow& before = current();
+    MainWindow& before = current();
     current_ = numberOf(window);
     if (&before != &window) {
+        if (before.isPresenting()) // it enlarges all type
+            before.togglePresenting();
         showFloating(before, false);
         CommandKeys::of(window).reread();
         window.takeOver(before);

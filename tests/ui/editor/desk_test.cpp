@@ -236,6 +236,19 @@ private slots:
         QVERIFY(contentOf(t.folder.filePath("three.svg")).size() > 0);
     }
 
+    void theNextDrawingEndsThePresentation()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        t.open(t.file("two.svg"));
+        const double size = QApplication::font().pointSizeF();
+        t.run("presentation");
+        QVERIFY(t.desk->isFullScreen() && QApplication::font().pointSizeF() > size);
+        t.desk->showNext(1);
+        QVERIFY(!t.desk->isFullScreen() && !t.desk->at(1).isPresenting());
+        QCOMPARE(QApplication::font().pointSizeF(), size);
+    }
+
     void objectsGoFromOneToTheOther()
     {
         TestDesk t;
