@@ -8,7 +8,6 @@
 #include "ui/bars/shape_options.h"
 #include "ui/bars/snap_choice.h"
 #include "ui/bars/window_options.h"
-#include "ui/editing/keeping.h"
 #include "ui/look/key_tip.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
@@ -61,7 +60,6 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
       style_(new QToolButton), arranging_(new ArrangeRow(session)),
       stylePopup_(new StylePopup(session, canvas, this)), grid_(new GridChoice(session)),
       shape_(new ShapeOptions(session, canvas)), capsule_(emptyRow()),
-      keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
       removed_(new Segments(Text::tr("Removed part"),
                             {Text::tr("Ghosted"), Text::tr("Hidden"), Text::tr("Shown")})),
       panes_(new Segments(Text::tr("Panes"),
@@ -196,13 +194,6 @@ void OptionBar::addClipping()
     addGroup(
         [this] {
             addSeparator();
-            addCaption(Text::tr("Keep"));
-            addWidget(keep_);
-        },
-        [this, hasWindows] { return hasWindows() && drawsOrRests(); }); // its panel has it
-    addGroup(
-        [this] {
-            addSeparator();
             addCaption(Text::tr("Removed part"));
             addWidget(removed_);
         },
@@ -210,8 +201,6 @@ void OptionBar::addClipping()
             return hasWindows() && (drawsOrRests() || rests() || has(ToolInfo::Options::Window));
         },
         3);
-    connect(keep_, &Segments::picked, this,
-            [this](int index) { setKeep(session_, app::Keep(index)); });
     connect(removed_, &Segments::picked, this, [this](int index) {
         session_.changeDisplay(
             [index](app::Display& display) { display.removed = app::RemovedPart(index); });
@@ -371,7 +360,6 @@ void OptionBar::changeEvent(QEvent* event)
 
 void OptionBar::follow()
 {
-    keep_->choose(int(session_.now().windows().keep));
     removed_->choose(int(session_.display().removed));
     const ToolInfo& tool = *findTool(canvas_.tool());
     tool_->setIcon(icon(tool.key));

@@ -22,14 +22,13 @@ class StrokeRow;
 class StylePopup;
 
 /// The bar across the top: undo and redo, the tool in hand, and what belongs to it. While something
-/// is drawn, or nothing is selected: the stroke, and while there is a window the side that is kept
-/// and how the removed part is shown. With selected objects what arranges them; their stroke is in
-/// their capsule. With the tools Nodes and Clip window their options, with Hand and Zoom what fits
-/// the view. What is chosen may have its capsule here. Panes if they are offered or there are
-/// several. At the right snapping, grid and export, always at the same place. If it is narrow, it
-/// drops captions, then the tool's name, the removed part and what arranging refers to, some parts
-/// of the capsule, the grid's spacing, the export button's text, and last what arranges: the menu
-/// has that, too.
+/// is drawn, or nothing is selected: the stroke, and while there is a window how the removed part
+/// is shown. With selected objects what arranges them; their stroke is in their capsule. With the
+/// tools Nodes and Clip window their options, with Hand and Zoom what fits the view. What is chosen
+/// may have its capsule here. Panes if they are offered or there are several. At the right
+/// snapping, grid and export, always at the same place. If it is narrow, it drops captions, then
+/// the tool's name, the removed part and what arranging refers to, some parts of the capsule, the
+/// grid's spacing, the export button's text, and last what arranges: the menu has that, too.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -94,7 +93,7 @@ private:
     GridChoice* grid_;
     ShapeOptions* shape_;
     QWidget* capsule_; ///< of what is chosen, if the person wants it here
-    Segments *keep_, *removed_, *panes_;
+    Segments *removed_, *panes_;
     NodeRow* nodes_;
     QWidget* view_;
     QToolButton* export_;

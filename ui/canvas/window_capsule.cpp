@@ -6,7 +6,6 @@
 #include "app/session/window_words.h"
 #include "ui/canvas/window_overlay.h"
 #include "ui/canvas/window_tags.h"
-#include "ui/editing/keeping.h"
 #include "ui/look/text.h"
 #include "ui/widgets/buttons.h"
 #include "ui/widgets/length_field.h"
@@ -45,27 +44,18 @@ Segments* operationSegments()
 
 WindowCapsule::WindowCapsule(Controller& controller, QWidget* parent)
     : Capsule(controller, parent), operation_(operationSegments()),
-      keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
       operationChoice_(new QActionGroup(this)), operations_(makeOperations()),
       width_(makeSide(app::WindowValue::Width)), height_(makeSide(app::WindowValue::Height)),
       unit_(new UnitButton(controller.session()))
 {
     setObjectName(QStringLiteral("capsule"));
-    keep_->setObjectName(QStringLiteral("capsule-keep"));
-    keep_->setTips({Text::tr("Keep what lies inside all windows together (X: the other side)"),
-                    Text::tr("Keep what lies outside all windows together (X: the other side)")});
     for (QWidget* part :
          {static_cast<QWidget*>(operation_), static_cast<QWidget*>(operations_),
           static_cast<QWidget*>(width_), static_cast<QWidget*>(quietLabel(QStringLiteral("×"))),
-          static_cast<QWidget*>(height_), static_cast<QWidget*>(unit_),
-          static_cast<QWidget*>(keep_)})
+          static_cast<QWidget*>(height_), static_cast<QWidget*>(unit_)})
         addPart(*part);
     addMore(Text::tr("More commands for the clip window"));
     connect(operation_, &Segments::picked, this, &WindowCapsule::setOperation);
-    connect(keep_, &Segments::picked, this, [this](int side) {
-        leave();
-        setKeep(this->controller().session(), app::Keep(side));
-    });
 }
 
 QToolButton* WindowCapsule::makeOperations()
@@ -94,17 +84,19 @@ LengthField* WindowCapsule::makeSide(app::WindowValue which)
     auto* field = isWidth ? makeField(Text::tr("Width"), QStringLiteral("capsule-width"))
                           : makeField(Text::tr("Height"), QStringLiteral("capsule-height"));
     field->setAlignment(isWidth ? Qt::AlignRight : Qt::AlignLeft);
-    field->setToolTip(isWidth ? Text::tr("Width of the clip window (Enter)")
-                              : Text::tr("Height of the clip window"));
+    field->setToolTip(
+        isWidth ? Text::tr("Width of the clip window (Enter). Shift+Enter keeps its proportions.")
+                : Text::tr("Height of the clip window. Shift+Enter keeps its proportions."));
     connect(field, &LengthField::edited, this,
-            [this, which](double length, app::Merging merging) { set(which, length, merging); });
+            [this, which, field](double length, app::Merging merging) {
+                set(which, length, field->entersWithShift(), merging);
+            });
     return field;
 }
 
 void WindowCapsule::setForm(Form form)
 {
     operation_->setVisible(form == Form::Whole);
-    keep_->setVisible(form == Form::Whole);
     unit_->setVisible(form == Form::Whole);
     operations_->setVisible(form == Form::Compact);
 }
@@ -118,10 +110,11 @@ void WindowCapsule::setOperation(int operation)
 }
 
 /// Of the window that was shown when it was typed.
-void WindowCapsule::set(app::WindowValue which, double length, app::Merging merging)
+void WindowCapsule::set(app::WindowValue which, double length, bool proportional,
+                        app::Merging merging)
 {
     if (controller().session().windowNumber() == shown_.number)
-        app::setWindowValue(controller().session(), which, length, false, merging);
+        app::setWindowValue(controller().session(), which, length, proportional, merging);
 }
 
 bool WindowCapsule::isFor() const
@@ -153,7 +146,6 @@ void WindowCapsule::showValues()
     QAction* chosen = operationChoice_->actions().at(int(window.operation));
     chosen->setChecked(true);
     operations_->setIcon(chosen->icon());
-    keep_->choose(int(session.windows().keep));
     for (const auto& [field, which] :
          {std::pair(width_, app::WindowValue::Width), std::pair(height_, app::WindowValue::Height)})
         if (!field->isBeingTyped())

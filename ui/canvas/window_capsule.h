@@ -11,8 +11,9 @@ namespace ui {
 class Segments;
 class UnitButton;
 
-/// The chosen clip window's own controls: what it does with those above it, its size, the side that
-/// is kept, and its menu. It is shown while keys are for the window (Controller::actsOnWindow).
+/// The chosen clip window's own controls: what it does with those above it, its size, and its menu.
+/// The side that is kept is that of all windows together, so their panel has it. The capsule is
+/// shown while keys are for the window (Controller::actsOnWindow).
 class WindowCapsule : public Capsule {
     Q_OBJECT
 
@@ -33,9 +34,9 @@ private:
     QToolButton* makeOperations();
     LengthField* makeSide(app::WindowValue which);
     void setOperation(int operation);
-    void set(app::WindowValue which, double length, app::Merging merging);
+    void set(app::WindowValue which, double length, bool proportional, app::Merging merging);
 
-    Segments *operation_, *keep_;
+    Segments* operation_;
     QActionGroup* operationChoice_; ///< of the menu of operations_
     QToolButton* operations_;
     LengthField *width_, *height_;

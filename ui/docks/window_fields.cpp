@@ -8,14 +8,14 @@
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/unit_box.h"
 
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 
 namespace ui {
 
 namespace {
 
-constexpr int leastNumberRoom = 54; // pixels
+constexpr int leastNumberRoom = 54; // logical pixels
 
 QLabel* labelled(const QString& text, LengthField& field)
 {
@@ -28,7 +28,7 @@ QLabel* labelled(const QString& text, LengthField& field)
 } // namespace
 
 WindowFields::WindowFields(app::Session& session)
-    : session_(session), chain_(ratioButton()), unit_(new UnitBox(session))
+    : session_(session), size_(new QWidget), chain_(ratioButton()), unit_(new UnitButton(session))
 {
     using enum app::WindowValue;
     using Range = LengthField::Range;
@@ -37,7 +37,7 @@ WindowFields::WindowFields(app::Session& session)
                new LengthField(Text::tr("Y"), Range::Any, none),
                new LengthField(Text::tr("Width"), Range::NotNegative, none),
                new LengthField(Text::tr("Height"), Range::NotNegative, none),
-               new LengthField(Text::tr("Angle"), Range::Any, none)};
+               new LengthField(Text::tr("Angle"), Range::Any, LengthField::Suffix::Degrees)};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         connect(fields_[i], &LengthField::edited, this,
                 [this, i](double number, app::Merging merging) {
@@ -47,11 +47,11 @@ WindowFields::WindowFields(app::Session& session)
         connect(fields_[i], &LengthField::entered, this, &WindowFields::entered);
         connect(fields_[i], &LengthField::refused, this, &WindowFields::refused);
         connect(fields_[i], &LengthField::taken, this, &WindowFields::taken);
+        fields_[i]->setButtonSymbols(QAbstractSpinBox::NoButtons); // arrow keys and wheel do it
         fields_[i]->setMinimumWidth(leastNumberRoom);
     }
     field(Angle).setToolTip(Text::tr("Degrees, counterclockwise; a shape other than a rectangle is "
                                      "rotated by them"));
-    connect(unit_, &UnitBox::done, this, &WindowFields::entered);
     chain_->setObjectName(QStringLiteral("keep-ratio"));
     addRows();
     connect(&session, &app::Session::previewChanged, this, &WindowFields::follow);
@@ -59,41 +59,38 @@ WindowFields::WindowFields(app::Session& session)
     follow();
 }
 
-/// Angle, X and Y; below, width and height with the unit. Tab goes in this order, so that the four
-/// lengths follow each other.
+/// X, Y and angle; below, width and height with the unit. Tab goes in this order.
 void WindowFields::addRows()
 {
-    struct Place {
-        app::WindowValue value;
-        const char* label;
-        int row, column;
-    };
     using enum app::WindowValue;
-    constexpr std::array places{Place{X, "X", 0, 2}, Place{Y, "Y", 0, 4}, Place{Width, "W", 1, 0},
-                                Place{Height, "H", 1, 2}, Place{Angle, "∠", 0, 0}};
-    auto* grid = new QGridLayout(this);
-    grid->setHorizontalSpacing(space::labelToField);
-    grid->setVerticalSpacing(6);
-    for (const auto& [value, label, row, column] : places) {
-        grid->addWidget(labelled(QString::fromUtf8(label), field(value)), row, column);
-        grid->addWidget(&field(value), row, column + 1);
-    }
-    auto* end = new QHBoxLayout;
-    end->setSpacing(space::labelToField);
-    end->addWidget(unit_);
-    end->addWidget(chain_);
-    end->addStretch();
-    grid->addLayout(end, 1, 4, 1, 2);
-    for (const int column : {1, 3, 5})
-        grid->setColumnStretch(column, 1);
-    grid->setContentsMargins(space::dockMargin, 6, space::dockMargin, space::dockMargin);
-    QWidget* before = &field(Angle);
-    for (QWidget* next : std::initializer_list<QWidget*>{&field(X), &field(Y), &field(Width),
+    const auto row = [this](std::initializer_list<std::pair<const char*, app::WindowValue>> parts) {
+        auto* line = new QHBoxLayout;
+        line->setSpacing(space::labelToField);
+        for (const auto& [label, value] : parts) {
+            line->addWidget(labelled(QString::fromUtf8(label), field(value)));
+            line->addWidget(&field(value), 1);
+        }
+        return line;
+    };
+    auto* size = row({{"W", Width}, {"H", Height}});
+    size->addWidget(unit_);
+    size->addWidget(chain_);
+    size->setContentsMargins(0, 0, 0, 0);
+    size_->setLayout(size);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(space::dockMargin, 6, space::dockMargin, space::dockMargin);
+    column->setSpacing(6);
+    column->addLayout(row({{"X", X}, {"Y", Y}, {"∠", Angle}}));
+    column->addWidget(size_);
+    QWidget* before = &field(X);
+    for (QWidget* next : std::initializer_list<QWidget*>{&field(Y), &field(Angle), &field(Width),
                                                          &field(Height), unit_, chain_}) {
         setTabOrder(before, next);
         before = next;
     }
 }
+
+void WindowFields::showSize(bool shown) { size_->setVisible(shown); }
 
 void WindowFields::startTyping() { field(app::WindowValue::X).setFocus(); }
 

@@ -11,10 +11,10 @@
 namespace ui {
 
 class LengthField;
-class UnitBox;
+class UnitButton;
 
-/// The clip window that tools act on in numbers: X, Y, W, H and the angle of its frame, also during
-/// a gesture. Each edit is one undo step.
+/// The clip window that tools act on in numbers: X, Y and the angle of its frame, also during a
+/// gesture; and W and H, unless its capsule has them. Each edit is one undo step.
 class WindowFields : public QWidget {
     Q_OBJECT
 
@@ -22,6 +22,7 @@ public:
     explicit WindowFields(app::Session& session);
 
     void startTyping(); ///< at X
+    void showSize(bool shown);
 
 signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas
@@ -35,8 +36,9 @@ private:
 
     app::Session& session_;
     std::array<LengthField*, 5> fields_; ///< in the order of app::WindowValue
+    QWidget* size_;                      ///< the row of width and height
     QToolButton* chain_;                 ///< checked: W and H keep their ratio
-    UnitBox* unit_;
+    UnitButton* unit_;
 };
 
 } // namespace ui

@@ -49,6 +49,8 @@ void WindowPanel::rename()
         list_->edit(list_->currentIndex());
 }
 
+void WindowPanel::showSize(bool shown) { fields_->showSize(shown); }
+
 QWidget* WindowPanel::makeList()
 {
     auto* page = new QWidget;
@@ -65,7 +67,8 @@ QWidget* WindowPanel::makeList()
 QWidget* WindowPanel::makeKeep()
 {
     keep_->setObjectName(QStringLiteral("keep"));
-    keep_->setToolTip(Text::tr("Which side of all windows together is kept"));
+    keep_->setTips({Text::tr("Keep what lies inside all windows together (X: the other side)"),
+                    Text::tr("Keep what lies outside all windows together (X: the other side)")});
     connect(keep_, &Segments::picked, this, [this](int side) {
         setKeep(session_, app::Keep(side));
         emit entered();

@@ -24,8 +24,9 @@ class WindowPanel : public QWidget {
 public:
     explicit WindowPanel(app::Session& session, QWidget* parent = nullptr);
 
-    QString title() const; ///< of all windows: "Old town − Market hall + Star"
-    void rename();         ///< opens the field for the name of the window that tools act on
+    QString title() const;     ///< of all windows: "Old town − Market hall + Star"
+    void showSize(bool shown); ///< width and height: false if the window's capsule has them
+    void rename();             ///< opens the field for the name of the window that tools act on
 
 signals:
     void titled(const QString& remark);

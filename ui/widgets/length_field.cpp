@@ -249,6 +249,8 @@ void LengthField::keyPressEvent(QKeyEvent* event)
         return selectAll();
     }
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const QScopedValueRollback shift(entersWithShift_,
+                                     enters && event->modifiers() & Qt::ShiftModifier);
     if (enters && isBlank())
         return emit entered(); // Qt would show the last number
     const bool isLength = bool(typed(text()));

@@ -31,6 +31,8 @@ public:
     void stepBy(int steps) override;
     bool isBeingTyped() const; ///< it has the keyboard, and its text is not taken yet
     void discardTyped();
+    /// While edited() is emitted: whether it was entered with Shift+Enter.
+    bool entersWithShift() const { return entersWithShift_; }
     /// The visible text; ends with an ellipsis if the number does not fit completely.
     QString seenText() const;
 
@@ -65,7 +67,8 @@ private:
     app::Unit unit_ = app::Unit::Mm;
     double millimetresPerUnit_ = 1;
     double shown_ = 0;
-    bool showsNumber_ = true;                    ///< otherwise the field is empty
+    bool showsNumber_ = true; ///< otherwise the field is empty
+    bool entersWithShift_ = false;
     app::Merging merging_ = app::Merging::Never; ///< for the change in progress
 };
 

@@ -15,27 +15,6 @@ std::vector<app::Unit> shownUnits()
     return {Unit::Mm, Unit::Cm, Unit::Inch, Unit::Px, Unit::Pt};
 }
 
-UnitBox::UnitBox(app::Session& session, QWidget* parent) : ToolList(parent)
-{
-    setAccessibleName(Text::tr("Unit"));
-    setToolTip(Text::tr("Unit of lengths"));
-    setFixedHeight(space::fieldHeight);
-    for (const app::Unit unit : shownUnits()) {
-        const auto suffix = app::infoOf(unit).suffix;
-        addItem(app::latin(suffix), int(unit));
-    }
-    const auto follow = [this, &session] {
-        setCurrentIndex(findData(int(session.display().unit)));
-    };
-    connect(this, &QComboBox::activated, this, [this, &session](int index) {
-        session.changeDisplay([this, index](app::Display& display) {
-            display.unit = app::Unit(itemData(index).toInt());
-        });
-    });
-    connect(&session, &app::Session::displayChanged, this, follow);
-    follow();
-}
-
 UnitButton::UnitButton(app::Session& session, QWidget* parent) : QToolButton(parent)
 {
     setAutoRaise(true);

@@ -2,25 +2,15 @@
 #pragma once
 
 #include "app/session/session.h"
-#include "ui/widgets/tool_list.h"
 
 #include <QToolButton>
 
 namespace ui {
 
-/// The unit in which the window shows lengths.
-class UnitBox : public ToolList {
-    Q_OBJECT
-
-public:
-    explicit UnitBox(app::Session& session, QWidget* parent = nullptr);
-};
-
 /// The selectable units, in menu order.
 std::vector<app::Unit> shownUnits();
 
-/// The unit of the lengths beside it, where there is no room for a list; a click opens the list of
-/// units.
+/// The unit of the lengths beside it; a click opens the list of units.
 class UnitButton : public QToolButton {
     Q_OBJECT
 

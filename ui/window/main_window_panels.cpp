@@ -29,6 +29,11 @@ void MainWindow::connectPanels()
 {
     connectStart(*panels_.start, *panelLayout_, *this);
     const auto focusCanvas = [this] { canvas_->setFocus(); };
+    const auto showSize = [this] {
+        panels_.window->showSize(canvas_->capsuleHome() == app::CapsuleHome::Off);
+    };
+    connect(canvas_, &Canvas::capsuleSwitched, this, showSize);
+    showSize();
     connect(panels_.window, &WindowPanel::entered, canvas_, focusCanvas);
     connect(panels_.difference, &DifferencePanel::entered, canvas_, focusCanvas);
     connect(panels_.costMap, &CostMapPanel::entered, canvas_, focusCanvas);

@@ -133,6 +133,24 @@ private slots:
         QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {150, 80}}));
         QCOMPARE(width.text(), QStringLiteral("100.0"));
     }
+    void shiftAndEnterKeepTheProportions()
+    {
+        CapsuleStage stage;
+        stage.session.changeDisplay([](app::Display& d) { d.unit = app::Unit::Px; });
+        const auto enter = [&stage](const char* name, const char* number, bool shift) {
+            auto& side = stage.part<ui::LengthField>(name);
+            side.setFocus();
+            side.selectAll();
+            QTest::keyClicks(&side, number);
+            QTest::keyClick(&side, Qt::Key_Return, shift ? Qt::ShiftModifier : Qt::NoModifier);
+        };
+        enter("capsule-width", "50", true);
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {100, 50}}));
+        enter("capsule-height", "60", true);
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {150, 80}}));
+        enter("capsule-height", "30", false);
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {150, 50}}));
+    }
     void whatIsTypedIsForTheWindowThatWasShown()
     {
         CapsuleStage stage;
@@ -163,8 +181,8 @@ private slots:
         auto& width = stage.part<ui::LengthField>("capsule-width");
         stage.key(Qt::Key_Return);
         QTest::keyClicks(&width, "60");
-        stage.clickPart("capsule-keep", 1);
-        QCOMPARE(stage.session.windows().keep, app::Keep::Outside);
+        stage.clickPart("capsule-operation", int(app::WindowOperation::CutOut));
+        QCOMPARE(stage.window().operation, app::WindowOperation::CutOut);
         QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {110, 80}}));
         // What changes elsewhere leaves it.
         stage.key(Qt::Key_Return);
@@ -260,8 +278,6 @@ private slots:
         QVERIFY(stage.surface().hasFocus());
         stage.session.history.undo();
         QCOMPARE(stage.window().operation, app::WindowOperation::Add);
-        stage.clickPart("capsule-keep", 1);
-        QCOMPARE(stage.session.windows().keep, app::Keep::Outside);
     }
     void theFirstWindowHasNoneToIntersectOrReplace()
     {

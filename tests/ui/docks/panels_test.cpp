@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/variant.h"
 #include "app/session/window_steps.h"
+#include "app/session/window_values.h"
 #include "ui/bars/option_bar.h"
 #include "ui/bars/status_bar.h"
 #include "ui/canvas/ruler.h"
@@ -13,6 +14,7 @@
 #include "ui/widgets/heading.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/tool_list.h"
+#include "ui/window/arrangement.h"
 
 #include <QDockWidget>
 #include <QLineEdit>
@@ -39,6 +41,12 @@ void type(QDoubleSpinBox* field, const QString& text)
     QTest::keyClick(field, Qt::Key_Return);
 }
 
+/// Without the capsule of the chosen clip window, the panel has width and height.
+void switchCapsulesOff(const TestWindow& t)
+{
+    t.window->canvas().setCapsuleHome(app::CapsuleHome::Off);
+}
+
 } // namespace
 
 class PanelsTest : public QObject {
@@ -50,6 +58,7 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
+        switchCapsulesOff(t);
         app::Session& session = t.window->session();
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         QCOMPARE(fields.size(), 5);
@@ -65,6 +74,48 @@ private slots:
         session.history.undo();
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{0, 0}, {100, 100}}));
         QCOMPARE(fields[0]->text(), "0.00");
+    }
+    void whatTheCapsuleHasIsNotInThePanel()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        t.show();
+        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        const auto shown = [&fields](app::WindowValue which) {
+            return fields[qsizetype(which)]->isVisible();
+        };
+        using enum app::WindowValue;
+        QVERIFY(shown(X) && shown(Y) && shown(Angle) && !shown(Width) && !shown(Height));
+        t.window->canvas().setCapsuleHome(app::CapsuleHome::InBar);
+        QVERIFY(shown(X) && !shown(Width));
+        switchCapsulesOff(t);
+        QVERIFY(shown(X) && shown(Y) && shown(Angle) && shown(Width) && shown(Height));
+        t.window->canvas().setCapsuleHome(app::CapsuleHome::AtObject);
+        QVERIFY(shown(X) && !shown(Width));
+    }
+    void nothingOfAWindowIsCutOffInTheNarrowestColumn()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        t.window->resize(1024, 640);
+        t.show();
+        switchCapsulesOff(t);
+        t.window->session().changeDisplay([](app::Display& d) { d.unit = app::Unit::User; });
+        ::setWindow(t.window->session().document, {{-841.25, 1189.25}, {1000.5, 2378.75}});
+        const auto* panel = t.window->findChild<WindowPanel*>();
+        QTRY_COMPARE(panel->window()->findChild<QDockWidget*>("window")->width(),
+                     Arrangement::narrowest);
+        int numbers = 0;
+        for (const auto* field : panel->findChildren<LengthField*>()) {
+            QVERIFY(field->isVisible());
+            QCOMPARE(field->seenText(), field->text());
+            ++numbers;
+        }
+        QCOMPARE(numbers, 5);
+        for (const auto* part : panel->findChildren<QWidget*>())
+            if (part->isVisible())
+                QVERIFY2(panel->rect().contains({part->mapTo(panel, QPoint()), part->size()}),
+                         part->metaObject()->className());
     }
     void aHiddenWindowHasNoNumbers()
     {
@@ -92,6 +143,7 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
+        switchCapsulesOff(t);
         app::Session& session = t.window->session();
         std::chrono::steady_clock::time_point now{};
         session.history.setClock([&] { return now; });
@@ -177,6 +229,7 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
+        switchCapsulesOff(t);
         const auto chosen = [&] { return t.window->session().display().variant.algorithm; };
         const auto digit = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
@@ -196,6 +249,7 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
+        switchCapsulesOff(t);
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         type(fields[2], "-5");
         QCOMPARE(t.window->session().history.count(), 0);
@@ -207,6 +261,7 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
+        switchCapsulesOff(t);
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         auto* width = t.window->findChild<OptionBar*>()->findChild<LengthField*>();
         for (LengthField* field : {fields[2], width}) {
@@ -232,6 +287,7 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
+        switchCapsulesOff(t);
         auto* panel = t.window->findChild<WindowPanel*>();
         const auto fields = panel->findChildren<LengthField*>();
         type(fields[3], "50");
