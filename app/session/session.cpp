@@ -94,7 +94,7 @@ void Session::setDisplay(const Display& display)
 
 const clipping::Functions<clipping::Segment, clipping::Window>& Session::uses() const
 {
-    const Variant used = variant();
+    const Variant used = cuts();
     return *clipping::functionsOf(*used.algorithm, used.form);
 }
 

@@ -28,6 +28,8 @@ namespace app {
 struct Display {
     /// The algorithm (never null in a session) and the wanted form, used if the algorithm has it.
     Variant variant{};
+    /// While the person compares: what cuts, whatever is shown. Empty: what is shown (comparing.h).
+    std::optional<Variant> cuts{};
     RemovedPart removed = RemovedPart::Ghosted;
     Unit unit = Unit::Mm;    ///< of rulers, labels and fields; an opened drawing sets its own unit
     bool overlay = false;    ///< the algorithm's view of the plane, over the drawing
@@ -82,7 +84,8 @@ public:
     std::string_view nextWindow = "rectangle";
     std::optional<std::size_t> guide{}; ///< the number of the chosen guide, which may be gone
     ArrangeOptions arrange;
-    bool worksInDraw = false; ///< whether the workspace is Draw
+    bool worksInDraw = false;    ///< whether the workspace is Draw
+    bool worksInCompare = false; ///< whether it is one that compares
 
     const Document& now() const { return document.now(); }
 
@@ -125,8 +128,11 @@ public:
         edit(display);
         setDisplay(display);
     }
-    /// The variant that clips: the wanted form if the algorithm has it.
+    /// The variant that clips what is shown: the wanted form if the algorithm has it.
     Variant variant() const { return usable(display_.variant); }
+    /// The one that cuts objects: in an export, for good, and for tiles.
+    Variant cuts() const { return usable(display_.cuts.value_or(display_.variant)); }
+    /// Its functions.
     const clipping::Functions<clipping::Segment, clipping::Window>& uses() const;
 
     /// Numbers of the selected objects; adjusted after insertions and removals.

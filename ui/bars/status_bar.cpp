@@ -5,6 +5,7 @@
 #include "app/base/text.h"
 #include "app/scene/left_alone.h"
 #include "app/scene/window_needs.h"
+#include "app/session/comparing.h"
 #include "app/view/ruler.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
@@ -323,7 +324,15 @@ void StatusBar::explainAlgorithm()
     const QString instead = open || leavesAlone()
                                 ? QString()
                                 : app::insteadText(app::needsOf(session_.region()), shown);
-    algorithm_->setToolTip(instead.isEmpty() ? app::latin(shown.algorithm->name) : instead);
+    const QString what = instead.isEmpty() ? app::latin(shown.algorithm->name) : instead;
+    const QString compared = open ? QString() : app::onlyComparedText(session_);
+    algorithm_->setToolTip(
+        compared.isEmpty()
+            ? what
+            : what + u'\n'
+                  + Text::tr("%1. Right click on its row in Compare, or on its pane's heading, to "
+                             "use it.")
+                        .arg(compared));
 }
 
 void StatusBar::resizeEvent(QResizeEvent* event)

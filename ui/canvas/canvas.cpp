@@ -52,6 +52,8 @@ Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
         connect(capsule, &Capsule::barOutdated, this, &Canvas::capsuleBarOutdated);
     }
     connect(&session, &app::Session::displayChanged, this, &Canvas::followChoice);
+    connect(&session.microscope, &app::Microscope::openChanged, this,
+            [this] { followComparing(parts_->panes.size()); });
     connect(&session, &app::Session::loaded, this, &Canvas::layOut);
     layOut();
 }

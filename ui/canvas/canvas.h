@@ -108,7 +108,9 @@ public:
     void nextView();
 
     const app::Panes& panes() const;
+    /// What several panes show, or one in a workspace that compares, does not cut (comparing.h).
     void setPanes(const app::Panes& panes);
+    void closePane(std::size_t pane);
     void activatePane(std::size_t pane);
     /// The widget that shows a pane's drawing; null if there is no room for the pane.
     QWidget* paneSurface(std::size_t pane) const;
@@ -149,6 +151,8 @@ private:
     void addPane();
     void layOut();
     void followChoice();
+    void keepPanes(const app::Panes& panes);
+    void followComparing(std::size_t panes);
     bool activates(const QEvent& event) const;
     std::optional<QPoint> onDrawing(const QPoint& position) const; ///< of the pane's surface there
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/comparing.h"
 #include "app/view/pane_grid.h"
 #include "ui/canvas/canvas_parts.h"
 
@@ -30,11 +31,38 @@ QWidget* Canvas::paneSurface(std::size_t pane) const
 
 void Canvas::setPanes(const app::Panes& panes)
 {
-    parts_->panes = panes;
+    app::Session& session = parts_->controller.session();
+    app::Panes shown = panes;
+    followComparing(panes.size());
+    if (!session.display().cuts)
+        shown.choose(session.variant()); // a drawing that is seen once is seen as it is cut
+    parts_->panes = shown;
     layOut();
-    parts_->controller.session().changeDisplay(
-        [&panes](app::Display& display) { display.variant = panes.chosen(); });
+    session.changeDisplay([&shown](app::Display& display) { display.variant = shown.chosen(); });
     emit panesChanged();
+}
+
+/// Several panes, and the microscope, are for looking at algorithms.
+void Canvas::followComparing(std::size_t panes)
+{
+    app::Session& session = parts_->controller.session();
+    app::setComparing(session, session.worksInCompare || panes > 1 || session.microscope.isOpen());
+}
+
+/// The last pane that is left is the one that the person keeps, and so the one that cuts.
+void Canvas::keepPanes(const app::Panes& panes)
+{
+    app::Session& session = parts_->controller.session();
+    if (panes.size() == 1 && !session.worksInCompare)
+        app::useVariant(session, panes.chosen());
+    setPanes(panes);
+}
+
+void Canvas::closePane(std::size_t pane)
+{
+    app::Panes panes = parts_->panes;
+    panes.close(pane);
+    keepPanes(panes);
 }
 
 void Canvas::activatePane(std::size_t pane)
@@ -71,7 +99,7 @@ void Canvas::addPane()
             return; // the menu's pane no longer exists
         app::Panes panes = parts_->panes;
         edit(panes, parts_->shown[place]);
-        setPanes(panes);
+        keepPanes(panes);
     };
     connect(&widget, &PaneWidget::frameShown, this, [this, &widget](const app::FrameTimes& times) {
         if (widget.pane().active)
@@ -86,6 +114,10 @@ void Canvas::addPane()
             panes.activate(pane);
             panes.choose(choice);
         });
+    });
+    connect(&widget.heading(), &PaneHeading::useWanted, this, [this, change] {
+        change([](app::Panes& panes, std::size_t pane) { panes.activate(pane); });
+        app::useVariant(parts_->controller.session(), parts_->panes.chosen());
     });
     connect(&widget.heading(), &PaneHeading::closeWanted, this, [this, change] {
         change([](app::Panes& panes, std::size_t pane) { panes.close(pane); });

@@ -114,6 +114,7 @@ void Controller::followDisplay()
     const app::Display before = std::exchange(shown_, session().display());
     app::Display now = shown_;
     now.variant = before.variant;
+    now.cuts = before.cuts;
     if (now != before)
         outdate();
     else

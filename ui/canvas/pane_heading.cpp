@@ -271,6 +271,7 @@ void PaneHeading::fill(QMenu& menu)
     menu.addSeparator();
     menu.addMenu(published);
     menu.addSeparator();
+    menu.addAction(Text::tr("&Use this algorithm"), this, &PaneHeading::useWanted);
     menu.addAction(Text::tr("Show &only this pane"), this, &PaneHeading::aloneWanted);
     menu.addAction(Text::tr("&Close this pane"), this, &PaneHeading::closeWanted);
 }

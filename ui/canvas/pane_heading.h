@@ -35,6 +35,7 @@ public:
 signals:
     void pressed();
     void chosen(const app::Variant& choice);
+    void useWanted(); ///< let its algorithm cut
     void closeWanted();
     void aloneWanted(); ///< close all other panes
 

@@ -7,7 +7,7 @@
 #include "ui/widgets/panel_list.h"
 #include "ui/widgets/tabular.h"
 
-#include <QEvent>
+#include <QContextMenuEvent>
 #include <QScopedValueRollback>
 
 namespace ui {
@@ -105,6 +105,16 @@ void CompareTable::choose(const QModelIndex& index, std::optional<clipping::Form
         form.value_or(both ? session_.display().variant.form : pair.ablest().row.variant.form);
     const app::Variant chosen{pair.algorithm, wish};
     session_.changeDisplay([&chosen](app::Display& display) { display.variant = chosen; });
+}
+
+void CompareTable::contextMenuEvent(QContextMenuEvent* event)
+{
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    const QModelIndex index = byKey ? currentIndex() : indexAt(event->pos());
+    if (index.isValid())
+        emit menuWanted(*model_.pair(sorted_.mapToSource(index).row()).algorithm,
+                        byKey ? viewport()->mapToGlobal(visualRect(index).center())
+                              : event->globalPos());
 }
 
 void CompareTable::follow()

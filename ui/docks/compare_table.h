@@ -36,7 +36,11 @@ public:
 
     QSize sizeHint() const override; ///< for all rows
 
+signals:
+    void menuWanted(const clipping::Algorithm& algorithm, const QPoint& place); ///< of a row
+
 protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;

@@ -3,6 +3,7 @@
 
 #include "app/base/replace_file.h"
 #include "app/command_line/misnamed.h"
+#include "app/session/comparing.h"
 #include "app/settings/settings_format.h"
 #include "app/teaching/line_text.h"
 #include "ui/editor/desk.h"
@@ -226,8 +227,7 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
     if (!options.panes.isEmpty())
         showPanes(window.canvas(), options.panes);
     if (const auto& wish = options.algorithm)
-        window.session().changeDisplay(
-            [&wish](app::Display& display) { display.variant = app::usable(*wish); });
+        app::useVariant(window.session(), app::usable(*wish));
     // A large file must not delay the window.
     const QString file = options.files.value(0);
     const auto open = [&] { window.files().open(file); };

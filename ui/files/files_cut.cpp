@@ -8,6 +8,7 @@
 #include "app/formats/export_cut.h"
 #include "app/scene/window_needs.h"
 #include "app/session/arrange_selection.h"
+#include "app/session/comparing.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 
@@ -123,12 +124,16 @@ void Files::showCut(app::Cut cut, const app::PermanentCut& kind)
     tellCut(Text::tr(kind.done).arg(app::cutText(counts)));
 }
 
-/// A form that is known to lose lines was perhaps left over from a comparison.
+/// The person may see the result of another algorithm, or may have chosen a form that is known to
+/// lose lines.
 void Files::tellCut(const QString& done)
 {
-    const app::Variant used = app::usedAt(session_.region(), session_.variant());
-    if (used.form != clipping::Form::Published)
-        return emit told({Message::Kind::Done, done});
+    const app::Variant used = app::usedAt(session_.region(), session_.cuts());
+    if (used.form != clipping::Form::Published) {
+        const QString compared = app::onlyComparedText(session_);
+        return emit told(
+            {Message::Kind::Done, compared.isEmpty() ? done : done + u' ' + compared + u'.'});
+    }
     const QString name = app::latin(used.algorithm->abbreviation);
     emit told({Message::Kind::Warning,
                done + u' '

@@ -2,6 +2,7 @@
 #include "ui/menus/algorithm_menu.h"
 
 #include "app/base/text.h"
+#include "app/session/comparing.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/look/text.h"
 #include "ui/window/main_window.h"
@@ -17,10 +18,7 @@ namespace {
 using app::Variant;
 using clipping::Form;
 
-void use(MainWindow& window, const Variant& variant)
-{
-    window.session().changeDisplay([&](app::Display& display) { display.variant = variant; });
-}
+void use(MainWindow& window, const Variant& variant) { app::useVariant(window.session(), variant); }
 
 /// Opens the panel Differences with the variant as A or as B; the other one stays.
 void compareAs(MainWindow& window, const Variant& variant, bool asA)
@@ -48,9 +46,9 @@ void showInPane(MainWindow& window, const Variant& variant)
 
 void addUses(MainWindow& window, const clipping::Algorithm& algorithm, QMenu& menu)
 {
-    const Variant now = window.session().variant();
+    const Variant now = window.session().variant(), cuts = window.session().cuts();
     const auto add = [&](const QString& text, Form form) {
-        if (const Variant variant{&algorithm, form}; variant != now)
+        if (const Variant variant{&algorithm, form}; variant != now || variant != cuts)
             menu.addAction(text, &window, [&window, variant] { use(window, variant); })
                 ->setObjectName(form == Form::Corrected ? "use-corrected" : "use-published");
     };

@@ -4,6 +4,8 @@
 #include "app/base/text.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/docks/compare_panel.h"
+#include "ui/docks/compare_table.h"
 #include "ui/docks/layer_list.h"
 #include "ui/docks/window_panel.h"
 #include "ui/menus/algorithm_menu.h"
@@ -182,6 +184,10 @@ void addContextMenus(MainWindow& window)
         window.findChild<LayerList*>(), &LayerList::objectMenuWanted, &window,
         [&window](const QPoint& place) { showAt(contextMenu(window, onObject), place); });
     QObject::connect(&window.algorithmPanel(), &AlgorithmPanel::menuWanted, &window,
+                     [&window](const clipping::Algorithm& algorithm, const QPoint& place) {
+                         showAt(algorithmMenu(window, algorithm), place);
+                     });
+    QObject::connect(&window.comparePanel().table(), &CompareTable::menuWanted, &window,
                      [&window](const clipping::Algorithm& algorithm, const QPoint& place) {
                          showAt(algorithmMenu(window, algorithm), place);
                      });

@@ -36,12 +36,7 @@ void showAllPanes(MainWindow& window)
 
 bool severalPanes(const MainWindow& window) { return window.canvas().panes().size() > 1; }
 
-void closePane(MainWindow& window)
-{
-    app::Panes panes = window.canvas().panes();
-    panes.close(panes.active());
-    window.canvas().setPanes(panes);
-}
+void closePane(MainWindow& window) { window.canvas().closePane(window.canvas().panes().active()); }
 
 /// The first part of a widget, in the order of the Tab key, that takes the keyboard; null: none.
 QWidget* firstStop(QWidget& inside)

@@ -51,7 +51,7 @@ void SheetArt::want(std::vector<SheetWish> wishes, std::uint64_t revision, const
         painting_.cancel();
     times_ = {.clipping = times_.clipping + 1, .subject = app::newSubject()};
     times_.total = sheets_.scene().lines().size();
-    times_.choice = session_.variant();
+    times_.choice = session_.cuts();
     if (!painting_.active())
         paintNext();
     for (QDeadlineTimer end(mostWaiting); painting_.active() && !end.hasExpired();)
@@ -65,7 +65,7 @@ app::FrameWish SheetArt::frameOf(const SheetWish& wish) const
     app::FrameWish frame{.key = {.lines = lines.revision(),
                                  .view = wish.view,
                                  .region = wish.region,
-                                 .variant = session_.variant(),
+                                 .variant = session_.cuts(),
                                  .pixels = {int(std::ceil(size.x)), int(std::ceil(size.y))},
                                  .pixelRatio = pixelRatio_},
                          .document = sheets_.drawing(),

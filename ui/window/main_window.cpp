@@ -19,6 +19,7 @@
 #include "ui/window/drawing_tabs.h"
 #include "ui/window/modes.h"
 #include "ui/window/panel_layout.h"
+#include "ui/window/workspace_panes.h"
 #include "ui/window/workspace_tabs.h"
 
 #include <QApplication>
@@ -51,7 +52,8 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     addModes();
     connectFiles();
     connectSession();
-    rememberPanes();
+    workspacePanes_ = new WorkspacePanes(session_, *canvas_, this);
+    connect(workspacePanes_, &WorkspacePanes::changed, this, &MainWindow::refreshActions);
     rememberSnapping();
     rememberCapsule();
     rememberGrid();
@@ -113,7 +115,8 @@ void MainWindow::followWorkspace()
 {
     session_.worksInDraw = workspace().draws;
     centre_->allowNote(!workspace().draws); // it is about cutting
-    optionBar_->offerPanes(workspace().panes);
+    workspacePanes_->choose(workspace());
+    optionBar_->offerPanes(workspace().compares);
     status_->showHint({});
     refreshActions();
 }

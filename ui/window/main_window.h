@@ -29,6 +29,7 @@ class Sheet;
 class StatusBar;
 class TilesPage;
 class ToolBar;
+class WorkspacePanes;
 struct Workspace;
 
 /// The editor's window around one session: bars, canvas and panels. It only assembles them. The
@@ -142,7 +143,6 @@ private:
     enum class Closing : std::uint8_t { No, Asking, Waiting, Agreed };
     static QString placeKey() { return QStringLiteral("geometry"); } ///< in the settings
     void showTitle();
-    void rememberPanes();
     void rememberSnapping();
     void rememberCapsule();
     void rememberGrid();
@@ -165,6 +165,7 @@ private:
     std::unique_ptr<Files> files_;
     Panels panels_{session_, *canvas_};
     std::unique_ptr<PanelLayout> panelLayout_;
+    WorkspacePanes* workspacePanes_ = nullptr;
     std::unique_ptr<Modes> modes_;
     Closing closing_ = Closing::No;
 };

@@ -75,17 +75,6 @@ void MainWindow::connectFiles()
     connect(files_.get(), &Files::nameChanged, this, &MainWindow::showTitle);
 }
 
-void MainWindow::rememberPanes()
-{
-    if (const auto panes =
-            app::Panes::fromText(QSettings().value("panes").toString(), session_.variant()))
-        canvas_->setPanes(*panes);
-    connect(canvas_, &Canvas::panesChanged, this, [this] {
-        QSettings().setValue("panes", canvas_->panes().text());
-        refreshActions();
-    });
-}
-
 void MainWindow::rememberSnapping()
 {
     canvas_->setSnapping(app::SnapTo::fromText(QSettings().value("snapKinds").toString()));

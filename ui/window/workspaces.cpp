@@ -34,7 +34,7 @@ std::span<const Workspace> workspaces()
                   .tip = Text::tr("All algorithms beside each other"),
                   .column = {"compare", "difference", "window"},
                   .folds = {"difference", "window"},
-                  .panes = true},
+                  .compares = true},
         Workspace{.key = "workspace-learn",
                   .name = Text::tr("Learn"),
                   .tip = Text::tr("Algorithm, and the line that it clips"),

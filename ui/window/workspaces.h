@@ -9,8 +9,9 @@
 
 namespace ui {
 
-/// Which panels the column at the right shows for one kind of work. A workspace changes nothing
-/// else: neither the document nor the view. One row of a catalogue.
+/// Which panels the column at the right shows for one kind of work. A workspace has panes of its
+/// own (workspace_panes.h), and changes nothing else: neither the document nor the view. One row of
+/// a catalogue.
 struct Workspace {
     std::string_view key; ///< in the settings, and of its command
     QString name;
@@ -18,7 +19,7 @@ struct Workspace {
     QStringList column;     ///< keys of its panels, from top to bottom
     QStringList folds = {}; ///< those of them that fold, and are folded at first
     bool draws = false;     ///< for drawing rather than for cutting
-    bool panes = false;     ///< the bar across the top offers how many panes there are
+    bool compares = false;  ///< what it shows does not cut; the bar offers how many panes there are
 };
 
 /// In the order of the tabs.
