@@ -54,7 +54,10 @@ Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
     connect(&session, &app::Session::displayChanged, this, &Canvas::followChoice);
     connect(&session.microscope, &app::Microscope::openChanged, this,
             [this] { followComparing(parts_->panes.size()); });
-    connect(&session, &app::Session::loaded, this, &Canvas::layOut);
+    connect(&session, &app::Session::loaded, this, [this] {
+        parts_->cornerKeptIn = {}; // another drawing is fitted
+        layOut();
+    });
     layOut();
 }
 

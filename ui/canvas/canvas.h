@@ -96,6 +96,9 @@ public:
     /// Chooses the clip window whose outline or name is there; false: there is none.
     bool chooseWindowAt(const QPoint& position);
 
+    /// While the window keeps its size, the zoom and the point at the upper left corner stay when
+    /// the canvas gets another size, also if the view was fitted.
+    void keepCorner();
     void fitDrawing();   ///< everything that is drawn; nothing is: the page
     void fitPage();      ///< the page and everything that is drawn
     void fitSelection(); ///< the drawing if nothing is selected
@@ -150,6 +153,7 @@ protected:
 private:
     void addPane();
     void layOut();
+    bool changeCount(std::size_t before);
     void followChoice();
     void keepPanes(const app::Panes& panes);
     void followComparing(std::size_t panes);

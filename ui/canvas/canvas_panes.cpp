@@ -143,6 +143,21 @@ QPoint Canvas::drawingCorner() const
     return parts_->widgets.front()->surface().widget().mapTo(this, QPoint());
 }
 
+void Canvas::keepCorner() { parts_->cornerKeptIn = window()->size(); }
+
+/// There were `before` panes: what is seen is seen in more or fewer ones now. One pane shows again
+/// what it showed when it was left, unless the view has moved. True: its corner stays.
+bool Canvas::changeCount(std::size_t before)
+{
+    Navigation& navigation = parts_->controller.navigation();
+    if (before == 1)
+        navigation.remember();
+    if (parts_->shown.size() == 1 && navigation.release())
+        return !navigation.isFitted();
+    navigation.hold();
+    return false;
+}
+
 void Canvas::layOut()
 {
     const QScopedValueRollback quiet(parts_->layingOut, true);
@@ -154,9 +169,10 @@ void Canvas::layOut()
     const double breadth = breadthOf(parts.controller.session().now().page());
     parts.shown = parts.panes.shown(
         std::size_t(app::panesWithRoom(area.size(), int(parts.panes.size()), breadth)));
+    bool cornerStays = parts.cornerKeptIn == window()->size();
     if (count != 0 && count != parts.shown.size()) {
         parts.controller.endGesture();
-        parts.controller.navigation().hold();
+        cornerStays = changeCount(count) || cornerStays;
     }
     while (parts.widgets.size() < parts.shown.size())
         addPane();
@@ -185,7 +201,8 @@ void Canvas::layOut()
     parts.top.setGeometry(rulerWidth, 0, area.width(), rulerWidth);
     parts.left.setGeometry(0, rulerWidth, rulerWidth, area.height());
     parts.controller.navigation().resize(
-        {std::max(1, drawing.width()), std::max(1, drawing.height())});
+        {std::max(1, drawing.width()), std::max(1, drawing.height())},
+        cornerStays ? Navigation::Keep::Corner : Navigation::Keep::Fit);
     constexpr int narrow = 640;
     auto form = alone && drawing.width() >= narrow ? Capsule::Form::Whole : Capsule::Form::Compact;
     if (parts.capsuleHome == app::CapsuleHome::InBar)

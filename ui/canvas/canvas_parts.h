@@ -39,6 +39,7 @@ struct Canvas::Parts {
     app::CapsuleHome capsuleHome = app::CapsuleHome::AtObject;
     QWidget* capsuleBar = nullptr; ///< of the options bar; null: there is none
     bool layingOut = false;
+    QSize cornerKeptIn; ///< the window's size while keepCorner() holds; empty: it does not
 };
 
 } // namespace ui

@@ -3,6 +3,8 @@
 
 #include <QGuiApplication>
 
+#include <utility>
+
 namespace ui {
 
 constexpr double notch = 120;              // QWheelEvent::angleDelta of one notch
@@ -18,8 +20,14 @@ void Navigation::go(const app::View& view)
     if (view == view_)
         return;
     history_.leave(view_, clock_.elapsed());
-    fitted_.reset();
+    forget();
     replace(view);
+}
+
+void Navigation::forget()
+{
+    fitted_.reset();
+    held_.reset();
 }
 
 void Navigation::replace(const app::View& view)
@@ -28,13 +36,15 @@ void Navigation::replace(const app::View& view)
     emit moved();
 }
 
-void Navigation::resize(const glm::dvec2& size)
+void Navigation::resize(const glm::dvec2& size, Keep keep)
 {
     if (size == view_.size)
         return;
     app::View view = view_;
     view.size = size;
-    if (fitted_)
+    if (keep == Keep::Corner && !held_)
+        view.centre = view_.toDrawing({0, 0}) + size * 0.5 / view.zoom;
+    else if (fitted_)
         fit(view, *fitted_);
     replace(view);
 }
@@ -45,6 +55,7 @@ void Navigation::show(const clipping::Window& rectangle)
     const Fitted fitted{rectangle, Margin::Usual};
     fit(view, fitted);
     go(view);
+    forget(); // also if nothing has moved
     fitted_ = fitted;
 }
 
@@ -61,6 +72,21 @@ void Navigation::hold()
 {
     if (!fitted_)
         fitted_ = {view_.visible(), Margin::None};
+}
+
+void Navigation::remember() { held_ = {view_, fitted_}; }
+
+bool Navigation::release()
+{
+    const auto held = std::exchange(held_, std::nullopt);
+    if (!held)
+        return false;
+    fitted_ = held->fitted;
+    app::View view = held->view;
+    view.size = view_.size;
+    view.centre = held->view.toDrawing({0, 0}) + view.size * 0.5 / view.zoom;
+    replace(view);
+    return true;
 }
 
 void Navigation::pan(const QPointF& pixels)
@@ -80,7 +106,7 @@ void Navigation::zoomAt(const QPointF& screen, double factor)
 void Navigation::back()
 {
     if (const auto view = history_.back(view_)) {
-        fitted_.reset();
+        forget();
         replace(*view);
     }
 }
@@ -88,7 +114,7 @@ void Navigation::back()
 void Navigation::forth()
 {
     if (const auto view = history_.forth(view_)) {
-        fitted_.reset();
+        forget();
         replace(*view);
     }
 }

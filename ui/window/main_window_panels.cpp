@@ -76,6 +76,7 @@ void MainWindow::connectLayout()
             &app::Microscope::close);
     connect(panelLayout_.get(), &PanelLayout::aboutToRaise, &sheets_, &app::LiveSheets::close);
     connect(panelLayout_.get(), &PanelLayout::aboutToRaise, this, &MainWindow::closeSheet);
+    connect(panelLayout_.get(), &PanelLayout::aboutToRaise, canvas_, &Canvas::keepCorner);
     connect(panelLayout_.get(), &PanelLayout::aboutToBringBack, panels_.line, &LinePanel::showNow);
 }
 

@@ -77,6 +77,45 @@ private slots:
         QVERIFY(t.window->session().now().objects() == before.objects());
         QCOMPARE(t.window->canvas().view().zoom, zoom);
     }
+    void theViewStaysAtItsCorner_data()
+    {
+        QTest::addColumn<bool>("fitted");
+        QTest::addColumn<bool>("panes"); // in Compare, where the zoom is that of the panes
+        QTest::newRow("fitted") << true << false;
+        QTest::newRow("panned") << false << false;
+        QTest::newRow("fitted, four panes") << true << true;
+        QTest::newRow("panned, four panes") << false << true;
+    }
+    void theViewStaysAtItsCorner()
+    {
+        QFETCH(bool, fitted);
+        QFETCH(bool, panes);
+        TestWindow t;
+        showInDraw(t, {1440, 900});
+        const Canvas& canvas = t.window->canvas();
+        const auto settled = [&] { waitForFinalSize(canvas); };
+        settled();
+        t.window->canvas().fitPage();
+        if (!fitted)
+            t.window->canvas().zoomBy(1.5);
+        const app::View before = canvas.view();
+        const auto stays = [&] {
+            const app::Point moved = before.toDrawing({0, 0}) - canvas.view().toDrawing({0, 0});
+            return std::abs(canvas.view().zoom / before.zoom - 1) < 1e-9
+                   && std::abs(moved.x) + std::abs(moved.y) < 1e-6;
+        };
+        for (const int tab : {1, 2, 3, 2, 0}) {
+            click(t, tab);
+            if (panes && tab == 2)
+                t.run("panes-4");
+            settled();
+            QVERIFY2(stays() || (panes && tab == 2), qPrintable(QString::number(tab)));
+        }
+        QVERIFY(canvas.view() == before);
+        t.window->resize(1300, 800); // a fitted view still is
+        settled();
+        QCOMPARE(stays(), false);
+    }
     void aNewDrawingBeginsInDraw()
     {
         TestWindow t;
