@@ -28,8 +28,13 @@ std::optional<Question> questionOf(const LessonPage& page, const Narration& narr
     const QuestionKind* kind = kindOf(page);
     auto question =
         kind ? kind->ask(page.tracedLine, narration, step, page.question->words) : std::nullopt;
-    if (question && !page.hint.isEmpty())
+    if (!question)
+        return question;
+    const bool showsCode = page.shows.code && page.shows.variables;
+    if (!page.hint.isEmpty())
         question->hint = page.hint;
+    else if (!showsCode && !question->hintWithoutCode.isEmpty())
+        question->hint = question->hintWithoutCode;
     return question;
 }
 

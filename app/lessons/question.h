@@ -19,6 +19,8 @@ struct Question {
     /// The part of the figure that each choice is: an edge of the window, or a piece of the line.
     /// Empty: the choices are no parts of the figure.
     std::vector<std::variant<clipping::Edge, clipping::Segment>> parts{};
+    /// The hint on a page that shows no pseudo-code or no variables; empty: the same.
+    QString hintWithoutCode{};
 };
 
 /// The steps that would reveal the answer and are hidden while the question is open.

@@ -89,13 +89,15 @@ void addEnds(std::vector<FigureMark>& marks, const TracedLine& tracedLine, const
     }
 }
 
-QString detailOf(const CutPoint& cut, bool now, YAxis y)
+QString detailOf(const CutPoint& cut, bool now, const FigureFrame& frame)
 {
     const QString edge =
-        cut.polygonEdge ? Text::tr("edge %1").arg(cut.polygonEdge) : edgeWords(cut.edge, y);
+        cut.polygonEdge ? Text::tr("edge %1").arg(cut.polygonEdge) : edgeWords(cut.edge, frame.y);
     if (now)
         return edge.isEmpty() ? Text::tr("new End %1").arg(cut.end)
                               : Text::tr("new End %1 at %2").arg(cut.end).arg(edge);
+    if (!frame.countsSteps)
+        return edge.isEmpty() ? Text::tr("cut") : Text::tr("cut at %1").arg(edge);
     return edge.isEmpty() ? Text::tr("cut in step %1").arg(cut.step + 1)
                           : Text::tr("cut at %1, step %2").arg(edge).arg(cut.step + 1);
 }
@@ -116,7 +118,7 @@ void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const Figur
                          .place = frame.at(cut.at),
                          .angle = 0,
                          .head = told ? pointText(cut.at) : QString(),
-                         .detail = told ? detailOf(cut, scene.isNow(cut), frame.y) : QString()});
+                         .detail = told ? detailOf(cut, scene.isNow(cut), frame) : QString()});
     }
 }
 

@@ -21,7 +21,7 @@ QString figureText(const TracedLine& tracedLine, const Narration& narration, std
         Text::tr("The line runs from End 1 at %1 to End 2 at %2.")
             .arg(point(line.a.x, line.a.y), point(line.b.x, line.b.y))};
     if (step < narration.steps.size())
-        sentences << Text::tr("Step %1: %2").arg(step + 1).arg(narration.steps[step].sentence);
+        sentences << narration.steps[step].sentence;
     return sentences.join(u' ');
 }
 

@@ -271,6 +271,7 @@ void MicroscopePage::showParts()
     }
     showPart(*bar_, !side_);
     showPart(*steps_, shown.steps);
+    view_->countSteps(shown.steps);
     showPart(*codeBox_, shown.code);
     showPart(*variables_, shown.variables);
     showPart(*right_, shown.code || shown.variables);

@@ -75,6 +75,7 @@ void MicroscopeView::refit()
     body.setPixelSize(QFontInfo(body).pixelSize());
     frame_ = app::nearFrame(microscope_.tracedLine(), QSizeF(size()), body);
     frame_.reserved = reserved_;
+    frame_.countsSteps = countsSteps_;
     update();
     emit framed();
 }
@@ -84,6 +85,12 @@ void MicroscopeView::reserve(const QRectF& place)
     reserved_ = frame_.reserved = place;
     update();
     emit reframed();
+}
+
+void MicroscopeView::countSteps(bool counted)
+{
+    countsSteps_ = frame_.countsSteps = counted;
+    update();
 }
 
 void MicroscopeView::fit()

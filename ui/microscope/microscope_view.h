@@ -21,6 +21,8 @@ public:
     const app::FigureFrame& frame() const { return frame_; }
     /// Reserves an area that labels avoid.
     void reserve(const QRectF& place);
+    /// Whether labels name steps by their numbers: not where no steps are shown.
+    void countSteps(bool counted);
     /// Fits window and line into the view.
     void fit();
     bool fitted() const { return fitted_; }
@@ -83,6 +85,7 @@ private:
     clipping::Segment line_{}; ///< as last seen
     bool movesEnd_ = false;    ///< this view is changing the line
     bool ring_ = false;        ///< the focus came by keyboard: paint the focus ring
+    bool countsSteps_ = true;  ///< labels name steps by their numbers
     bool fitted_ = true;       ///< the person has neither zoomed nor panned
 };
 

@@ -29,11 +29,13 @@ std::optional<Question> askEdge(const TracedLine& tracedLine, const Narration& n
         Text::tr("At which edge is the line cut next?"),
         choices,
         int(std::ranges::find(edges, cut->edge) - edges.begin()),
-        Text::tr("Step %1: %2").arg(cut - narration.steps.begin() + 1).arg(cut->sentence),
+        cut->sentence,
         Text::tr("Read the pseudo-code from line %1 on, with the values in the table. Which "
                  "test is the first to be true?")
             .arg(narration.steps[step].line),
-        {edges.begin(), edges.end()}};
+        {edges.begin(), edges.end()},
+        Text::tr("Follow the tests of the algorithm in their order, with the values of this line. "
+                 "Which is the first to be true?")};
 }
 
 } // namespace

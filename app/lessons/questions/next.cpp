@@ -33,10 +33,15 @@ std::optional<Question> askNext(const TracedLine&, const Narration& narration, s
         for (const Event& other : events)
             choices << Text::tr(other.words);
         return Question{
-            Text::tr("Which step follows, not counting comparisons?"), choices,
-            int(event - events.begin()), Text::tr("Step %1: %2").arg(i + 1).arg(narrated.sentence),
+            Text::tr("Which step follows, not counting comparisons?"),
+            choices,
+            int(event - events.begin()),
+            narrated.sentence,
             Text::tr("Read the pseudo-code from line %1 on, with the values in the table.")
-                .arg(narration.steps[step].line)};
+                .arg(narration.steps[step].line),
+            {},
+            Text::tr("Follow the tests of the algorithm in their order, with the values of this "
+                     "line.")};
     }
     return std::nullopt;
 }

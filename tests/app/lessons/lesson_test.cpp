@@ -482,6 +482,26 @@ private slots:
             .setValue(QStringLiteral("lessons/points/outcodes"), QStringLiteral("many"));
         QVERIFY(!kept());
     }
+    void noPageSpeaksOfPartsThatItDoesNotShow()
+    {
+        static const QRegularExpression numbered(QStringLiteral("[Ss]tep \\d"));
+        int questions = 0;
+        for (const app::Lesson& lesson : app::lessons())
+            for (const app::LessonPage& page : lesson.pages) {
+                const app::Narration narration = app::narrationOf(page.tracedLine);
+                const auto question =
+                    app::questionOf(page, narration, app::wantedStep(page, narration));
+                QStringList said{page.text, page.told};
+                if (question)
+                    said << question->prompt << question->reason << question->hint;
+                questions += question.has_value();
+                const QString all = said.join(u' ');
+                QVERIFY2(page.shows.steps || !all.contains(numbered), qPrintable(all));
+                QVERIFY2(page.shows.code || !all.contains("pseudo-code"), qPrintable(all));
+                QVERIFY2(page.shows.variables || !all.contains("in the table"), qPrintable(all));
+            }
+        QVERIFY(questions > 20);
+    }
     void theFirstLessonBeginsEasily()
     {
         for (const app::LessonPage& page : app::lessons().front().pages)

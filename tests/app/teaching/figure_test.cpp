@@ -164,9 +164,9 @@ private slots:
     {
         const TracedLine s = tracedLine("matthes-drakopoulos", {{-160, -30}, {70, 130}});
         const Narration narration = narrationOf(s);
-        const FigureFrame frame = figureFrame(s, size, font());
-        const auto marks =
-            figureMarks(s, stepScene(s, narration, narration.steps.size() - 1), frame);
+        FigureFrame frame = figureFrame(s, size, font());
+        const StepScene last = stepScene(s, narration, narration.steps.size() - 1);
+        const auto marks = figureMarks(s, last, frame);
         QCOMPARE(marks.size(), 4);
         // One scale on both axes, y up, the middle of window and line in the picture's middle.
         const double scale = size.width() / (frame.seen.max.x - frame.seen.min.x);
@@ -182,6 +182,8 @@ private slots:
         QCOMPARE(marks[3].point, Point(-9.0625, 75));
         QCOMPARE(marks[3].head, "\u22129.0625, 75");
         QVERIFY(marks[3].detail.startsWith("cut at the top edge, step "));
+        frame.countsSteps = false; // a lesson's page shows no steps
+        QCOMPARE(figureMarks(s, last, frame)[3].detail, "cut at the top edge");
     }
 
     void everyPartHasItsColour_data()

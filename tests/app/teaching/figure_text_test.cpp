@@ -18,8 +18,7 @@ private slots:
         microscope.open(line_, 2);
         QCOMPARE(textOf(microscope),
                  QStringLiteral("The clip window is a rectangle from (−100, −75) to (100, 75). The "
-                                "line runs from End 1 at (−160, −30) to End 2 at (70, 130). Step "
-                                "3: %1")
+                                "line runs from End 1 at (−160, −30) to End 2 at (70, 130). %1")
                      .arg(microscope.narrated()->sentence));
     }
     void saysNothingOfCoveredSteps()
