@@ -57,31 +57,43 @@ WindowShape starDrawn(const WindowDrag& drag)
 }
 const GestureMeasure& ofStar(Proportion, Anchor) { return starMeasure(); }
 
+// With Alt a window is drawn from its centre, and may begin inside another one.
 constexpr std::array kinds{
-    WindowKind{"rectangle", QT_TRANSLATE_NOOP("Text", "Rectangle"),
-               QT_TRANSLATE_NOOP("Text",
-                                 "Drag beside the windows to draw one. Shift: square, Alt: centre. "
-                                 "Drag a window to move it."),
-               rectangle, rectangleDrawn, widthAndHeight},
-    WindowKind{"ellipse", QT_TRANSLATE_NOOP("Text", "Ellipse"),
-               QT_TRANSLATE_NOOP("Text",
-                                 "Drag beside the windows to draw one. Shift: circle, Alt: centre. "
-                                 "Drag a window to move it."),
-               ellipse, ellipseDrawn, widthAndHeight},
-    WindowKind{"polygon", QT_TRANSLATE_NOOP("Text", "Regular polygon"),
-               QT_TRANSLATE_NOOP("Text",
-                                 "Drag from the centre to a corner. Up, Down: number of corners. "
-                                 "Alt: to the middle of a side."),
-               hexagon, polygonDrawn, ofPolygon, usualPolygon},
-    WindowKind{"star", QT_TRANSLATE_NOOP("Text", "Star"),
-               QT_TRANSLATE_NOOP("Text",
-                                 "Drag from the centre to a point. Up, Down: number of points. "
-                                 "Shift: 15° steps."),
-               star, starDrawn, ofStar, usualStar},
+    WindowKind{
+        "rectangle", QT_TRANSLATE_NOOP("Text", "Rectangle"),
+        QT_TRANSLATE_NOOP("Text", "Drag to draw a window. Shift: square, Alt: from the centre."),
+        QT_TRANSLATE_NOOP(
+            "Text", "Drag beside the windows to draw one, with Alt inside one. Shift: square. "
+                    "Drag one: move."),
+        rectangle, rectangleDrawn, widthAndHeight},
+    WindowKind{
+        "ellipse", QT_TRANSLATE_NOOP("Text", "Ellipse"),
+        QT_TRANSLATE_NOOP("Text", "Drag to draw a window. Shift: circle, Alt: from the centre."),
+        QT_TRANSLATE_NOOP(
+            "Text", "Drag beside the windows to draw one, with Alt inside one. Shift: circle. "
+                    "Drag one: move."),
+        ellipse, ellipseDrawn, widthAndHeight},
+    WindowKind{
+        "polygon", QT_TRANSLATE_NOOP("Text", "Regular polygon"),
+        QT_TRANSLATE_NOOP("Text", "Drag from the centre to a corner. Up, Down: number of corners. "
+                                  "Alt: to a side."),
+        QT_TRANSLATE_NOOP("Text", "Drag from the centre to a corner. Up, Down: corners. Alt: to a "
+                                  "side, inside a window."),
+        hexagon, polygonDrawn, ofPolygon, usualPolygon},
+    WindowKind{
+        "star", QT_TRANSLATE_NOOP("Text", "Star"),
+        QT_TRANSLATE_NOOP("Text", "Drag from the centre to a point. Up, Down: number of points. "
+                                  "Shift: 15° steps."),
+        QT_TRANSLATE_NOOP("Text", "Drag from the centre to a point. Up, Down: points. Shift: 15° "
+                                  "steps, Alt: inside a window."),
+        star, starDrawn, ofStar, usualStar},
     WindowKind{"polyline", QT_TRANSLATE_NOOP("Text", "Polygon, corner by corner"),
                QT_TRANSLATE_NOOP("Text",
                                  "Click corner by corner. Click the first corner, or press Enter, "
-                                 "to close the window.")},
+                                 "to close it."),
+               QT_TRANSLATE_NOOP("Text",
+                                 "Click corner by corner, the first one again to close. Alt: begin "
+                                 "inside a window.")},
 };
 
 } // namespace

@@ -19,9 +19,10 @@ struct WindowDrag {
 
 /// A shape that a new clip window can have. Without `drawn` it is drawn corner by corner.
 struct WindowKind {
-    std::string_view key;  ///< also of its icon
-    std::string_view name; ///< to be translated, like the hint
-    std::string_view hint; ///< how it is drawn
+    std::string_view key;        ///< also of its icon
+    std::string_view name;       ///< to be translated, like the hints
+    std::string_view hint;       ///< how it is drawn
+    std::string_view hintBeside; ///< the same while there are windows
     WindowShape (*make)(const clipping::Window& box) = nullptr;
     WindowShape (*drawn)(const WindowDrag& drag) = nullptr;
     const GestureMeasure& (*measure)(Proportion proportion, Anchor anchor) = nullptr;

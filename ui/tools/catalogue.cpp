@@ -48,8 +48,8 @@ std::span<const ToolInfo> tools()
         ToolInfo{
             "line", Text::tr("Line"),
             Text::tr(
-                "Click points, or drag. Type a length, Tab, an angle, Enter. Esc: begin another "
-                "line, Shift: 15° steps."),
+                "Click points, or type a length, Tab, an angle, Enter. Shift: 15° steps, Esc: next "
+                "line."),
             QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{
             "polyline", Text::tr("Polyline"),
@@ -57,17 +57,15 @@ std::span<const ToolInfo> tools()
                 "Click corners, or type a length, Tab, an angle, Enter. Ctrl+Z: corner back, Esc: "
                 "end."),
             QKeySequence("P"), makePolylineTool},
-        ToolInfo{
-            "pen", Text::tr("Pen"),
-            Text::tr(
-                "Click: corner, drag: symmetric node, S: smooth, Alt: cusp. Click the start to "
-                "close. Esc: end."),
-            QKeySequence("D"), makePenTool},
+        ToolInfo{"pen", Text::tr("Pen"),
+                 Text::tr("Click: corner, drag: symmetric, S: smooth, Alt: cusp. Click the start: "
+                          "close. Esc: "
+                          "end."),
+                 QKeySequence("D"), makePenTool},
         ToolInfo{
             "arc", Text::tr("Arc"),
-            Text::tr(
-                "Click the start, the end and a point on the arc. C, or Alt at the first click: by "
-                "its centre."),
+            Text::tr("Click the start, the end and a point on the arc. C, or Alt at first: by its "
+                     "centre."),
             QKeySequence("A"), makeArcTool},
         ToolInfo{
             "pencil", Text::tr("Pencil"),
@@ -76,8 +74,8 @@ std::span<const ToolInfo> tools()
         ToolInfo{
             "rectangle", Text::tr("Rectangle"),
             Text::tr(
-                "Drag, or type a width, Tab, a height, Tab, a corner radius, Enter. Shift: square, "
-                "Alt: centre."),
+                "Drag, or type width, Tab, height, Tab, corner radius, Enter. Shift: square, Alt: "
+                "centre."),
             QKeySequence("R"), makeRectangleTool},
         ToolInfo{"ellipse", Text::tr("Ellipse"),
                  Text::tr("Drag, or type a width, Tab, a height, Enter. Shift: circle, Alt: from "
@@ -91,9 +89,8 @@ std::span<const ToolInfo> tools()
             QKeySequence("Y"), makePolygonTool},
         ToolInfo{
             "star", Text::tr("Star"),
-            Text::tr(
-                "Drag from the centre to a point. Up, Down: number of points, Shift: 15° steps. "
-                "Tab: numbers."),
+            Text::tr("Drag from the centre to a point. Up, Down: points, Shift: 15° steps, Tab: "
+                     "numbers."),
             QKeySequence("S"), makeStarTool},
         ToolInfo{
             "text", Text::tr("Text"),

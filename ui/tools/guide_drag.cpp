@@ -145,8 +145,8 @@ QString GuideDrag::hint(const Workbench& bench) const
     const QString place = (guide->axis == 0 ? QStringLiteral("x ") : QStringLiteral("y "))
                           + app::lengthText(guide->at - start.origin[guide->axis], start.scale.unit,
                                             start.scale.millimetresPerUnit);
-    return Text::tr("Guide at %1. Drag it, or press Enter and type another position. Delete, or "
-                    "dragging it out of the drawing, removes it.")
+    return Text::tr("Guide at %1. Drag it, or Enter and another position. Delete, or drag it out: "
+                    "remove.")
         .arg(place);
 }
 

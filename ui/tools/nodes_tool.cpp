@@ -277,12 +277,10 @@ QString NodesTool::hint(const Workbench& bench) const
             return app::lengthText(value, gauge.scale.unit, gauge.scale.millimetresPerUnit);
         };
         if (const auto count = app::nodesOn(bench.session.nodes.path(), spot); count > 1)
-            return Text::tr("%1 nodes on one spot, at x %2, y %3. One of them is selected; a box "
-                            "around the spot selects all.")
+            return Text::tr("%1 nodes on one spot, at x %2, y %3. A box around it selects all.")
                 .arg(app::countText(count), number(at.x), number(at.y));
-        return Text::tr(
-                   "1 of %1 nodes, at x %2, y %3. Drag it, or press Enter and type x,y. Delete "
-                   "keeps the shape.")
+        return Text::tr("1 of %1 nodes, at x %2, y %3. Drag it, or Enter and x,y. Delete keeps the "
+                        "shape.")
             .arg(app::countText(nodes.nodes), number(at.x), number(at.y));
     }
     return Text::tr("%1 of %2 nodes. Dragging or the arrow keys move them; Delete keeps the shape.")

@@ -20,8 +20,8 @@ public:
         if (radius <= 0)
             return {};
         const double size = bench.session.now().page().millimetresPerUnit();
-        return Text::tr("The corner radius of %1 is kept. For sharp corners type Tab, Tab, 0, "
-                        "Enter while drawing.")
+        return Text::tr("The corner radius %1 is kept. Tab, Tab, 0, Enter while drawing: sharp "
+                        "corners.")
             .arg(app::lengthText(radius, bench.session.display().unit, size));
     }
 

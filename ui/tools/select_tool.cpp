@@ -240,7 +240,7 @@ QString SelectTool::hint(const Workbench& bench) const
         return hint;
     if (!session.selection().empty())
         return app::withKeys(Text::tr("%1 selected. Drag or arrow keys: move. {move}, {rotate}, "
-                                      "{scale}: move, rotate, scale by numbers. Delete: remove."))
+                                      "{scale}: move, rotate, scale by numbers."))
             .arg(app::selectionText(session));
     if (const auto line = session.inspected())
         return Text::tr("The Line panel shows line %1. Click a line to select it.")

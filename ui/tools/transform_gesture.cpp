@@ -244,12 +244,10 @@ QString TransformGesture::hint(const Workbench& bench) const
 {
     if (now_ && now_->kind->movesPivot)
         return Text::tr(
-            "Type a length, Tab, an angle, or x,y; Enter. X, Y: along an axis. C: copy. "
-            "Esc: cancel.");
+            "Type a length, Tab, an angle, or x,y; Enter. X, Y: axis, C: copy, Esc: cancel.");
     if (now_)
         return Text::tr(
-            "Type a number, Enter. X, Y: along an axis. P: pivot here. C: copy. Shift: 15° "
-            "steps. Esc: "
+            "Type a number, Enter. X, Y: axis, P: pivot here, C: copy, Shift: 15° steps, Esc: "
             "cancel.");
     if (last_.canReopen(bench) && done_.copies)
         return Text::tr("Enter, then another number, or 5x for five copies, 5/ to divide the way.");

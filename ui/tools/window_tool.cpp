@@ -232,10 +232,8 @@ QString WindowTool::hint(const Workbench& bench) const
     const QString now = drawing_ ? drawing_->hint(bench) : QString();
     if (!now.isEmpty())
         return now;
-    const QString usual = Text::tr(app::windowKind(bench.session.nextWindow).hint.data());
-    return bench.session.windows().list.empty()
-               ? usual
-               : Text::tr("%1 Alt: begin inside another window.").arg(usual);
+    const app::WindowKind& kind = app::windowKind(bench.session.nextWindow);
+    return Text::tr((bench.session.windows().list.empty() ? kind.hint : kind.hintBeside).data());
 }
 
 } // namespace

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/drawing/transformation.h"
+#include "app/session/window_kinds.h"
+#include "app/session/window_steps.h"
 #include "ui/bars/option_bar.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/length_field.h"
@@ -32,23 +35,60 @@ class StatusBarTest : public QObject {
         {
             return hint->fontMetrics().horizontalAdvance(text);
         }
+        /// Says what is wrong if the hint that is wanted now has no room.
+        QString fault() const
+        {
+            const QString wanted = window->canvas().toolHint();
+            return !wanted.isEmpty() && widthOf(wanted) <= room()
+                       ? QString()
+                       : QStringLiteral("%1: %2 of %3 pixels")
+                             .arg(wanted)
+                             .arg(widthOf(wanted))
+                             .arg(room());
+        }
         ElidedLabel* hint = nullptr;
     };
 
 private slots:
+    void theHintOfEveryToolFits_data()
+    {
+        QTest::addColumn<QString>("sample");
+        QTest::newRow("an empty drawing") << QString();
+        QTest::newRow("44,000 lines and a clip window") << QStringLiteral("landscape");
+    }
     void theHintOfEveryToolFits()
     {
+        QFETCH(QString, sample);
         Window w({1280, 800});
+        if (!sample.isEmpty())
+            w.open(QStringLiteral(SOURCE_DIR "/resources/samples/") + sample + ".svg");
+        QCoreApplication::processEvents(); // the cells beside it have their widths
+        QCOMPARE(w.window->session().windows().list.empty(), sample.isEmpty());
         for (const ToolInfo& tool : tools()) {
             w.window->canvas().setTool(tool.key);
-            const QString hint = w.hint->whole(); // the tool's own one, or that of the catalogue
-            QVERIFY(!hint.isEmpty());
-            QVERIFY2(w.widthOf(hint) <= w.room(), qPrintable(QStringLiteral("%1: %2 of %3 pixels")
-                                                                 .arg(tool.name)
-                                                                 .arg(w.widthOf(hint))
-                                                                 .arg(w.room())));
-            QCOMPARE(w.hint->text(), hint);
+            QVERIFY2(w.fault().isEmpty(), qPrintable(tool.name + u' ' + w.fault()));
+            QCOMPARE(w.hint->text(), w.hint->whole());
         }
+        for (const app::WindowKind& kind : app::windowKinds()) { // of the last tool
+            app::setNextWindow(w.window->session(), kind.key);
+            QVERIFY2(w.fault().isEmpty(), qPrintable(w.fault()));
+        }
+    }
+    void theHintOfWhatIsSelectedFits()
+    {
+        Window w({1280, 800});
+        w.open(QStringLiteral(SOURCE_DIR "/resources/samples/landscape.svg"));
+        QCoreApplication::processEvents();
+        w.window->canvas().setTool("select");
+        w.window->session().select({0});
+        QVERIFY2(w.fault().isEmpty(), qPrintable(w.fault()));
+        for (const app::Transformation& kind : app::transformations()) {
+            w.window->canvas().transform(kind);
+            QVERIFY2(w.fault().isEmpty(), qPrintable(w.fault()));
+            w.window->canvas().endGesture();
+        }
+        w.window->canvas().setTool("nodes");
+        QVERIFY2(w.fault().isEmpty(), qPrintable(w.fault()));
     }
     void aLongHintIsElidedAndWholeInItsTooltip()
     {
