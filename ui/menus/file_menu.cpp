@@ -44,6 +44,15 @@ bool severalDrawings(const MainWindow& window)
     return window.drawings() && window.drawings()->count() > 1;
 }
 
+void addSamples(MainWindow& window, QMenu& menu)
+{
+    for (const app::Sample& sample : app::samples()) {
+        auto* action = menu.addAction(sample.title, &window,
+                                      [&window, sample] { window.files().openSample(sample); });
+        action->setObjectName(QStringLiteral("sample-") + sample.key);
+    }
+}
+
 } // namespace
 
 MenuInfo fileMenu()
@@ -70,6 +79,10 @@ MenuInfo fileMenu()
                 {
                     .text = Text::tr("Open &recent"),
                     .fill = addRecent,
+                },
+                {
+                    .text = Text::tr("Open sa&mple"),
+                    .fill = addSamples,
                 },
                 {},
                 {

@@ -179,6 +179,19 @@ private slots:
         QVERIFY2(all <= 85, qPrintable(QString::number(all)));
     }
 
+    void aSampleIsOpenedByTheMenu()
+    {
+        const TestWindow t;
+        const auto all = app::samples();
+        for (const app::Sample& sample : notEmpty(all)) {
+            t.run(qPrintable(QStringLiteral("sample-") + sample.key));
+            QCOMPARE(t.window->files().sample(), sample.key);
+            QVERIFY(t.window->session().scene.lines().size() > 0);
+        }
+        QCOMPARE(t.answers->asked, 0); // they are not changed
+        const QMenu* samples = menuOf(t, "&File")->actions().at(3)->menu();
+        QVERIFY(samples && samples->actions().size() == qsizetype(all.size()));
+    }
     /// But for those that hold files and layers.
     void submenusAreShort()
     {

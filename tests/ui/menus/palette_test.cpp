@@ -202,6 +202,15 @@ private slots:
         QVERIFY(reader && reader->isVisible());
         QCOMPARE(reader->page().topic(), QStringLiteral("window-shapes"));
     }
+    void samplesAreFound()
+    {
+        Finder finder;
+        finder.type("landscape");
+        QCOMPARE(finder.chosen(), QStringLiteral("Hatched landscape"));
+        finder.press(Qt::Key_Return);
+        finder.window->files().wait();
+        QCOMPARE(finder.window->files().sample(), QStringLiteral("landscape"));
+    }
     void tabShowsOneKindOnly()
     {
         Finder finder;
