@@ -18,8 +18,8 @@ namespace ui {
 
 namespace {
 
-constexpr int updateMilliseconds = 100; // ten times a second
-constexpr int widthForRenderer = 1200;
+constexpr int updateMilliseconds = 100;                      // ten times a second
+constexpr int widthForRenderer = 1200, widthForTimes = 1100; // the hint has the room of the rest
 
 QString visibleText(const app::FrameTimes& times)
 {
@@ -127,7 +127,7 @@ void StatusBar::showParts()
 {
     const bool open = session_.microscope.isOpen();
     const bool canvas = !open && summary_.isEmpty();
-    times_->setVisible(!open);
+    times_->setVisible(!open && width() >= widthForTimes);
     zoom_->setVisible(canvas);
     renderer_->setVisible(canvas && width() >= widthForRenderer);
 }

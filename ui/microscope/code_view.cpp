@@ -11,12 +11,14 @@
 #include <QPainter>
 #include <QScrollBar>
 #include <QTextBlock>
+#include <QTextOption>
 
 namespace ui {
 
 namespace {
 
 constexpr int bar = 3, besideBar = 18, lineDistance = 4; // pixels
+constexpr int hanging = 4; // letters by which the rest of a wrapped line is indented
 
 QFont codeFont(const QFont& body)
 {
@@ -59,7 +61,8 @@ CodeView::CodeView(QWidget* parent) : QTextEdit(parent), numbers_(new Numbers(*t
     setReadOnly(true);
     setAcceptRichText(false);
     setFrameShape(QFrame::NoFrame);
-    setLineWrapMode(NoWrap);
+    setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFont(codeFont(font()));
     setAccessibleName(Text::tr("Pseudo-code"));
     document()->setDocumentMargin(6);
@@ -91,6 +94,18 @@ void CodeView::fold()
     showRows();
 }
 
+/// A line without room is wrapped, and goes on further right than it begins.
+QTextBlockFormat CodeView::blockOf(const QString& text) const
+{
+    const auto first = std::ranges::find_if(text, [](QChar c) { return c != u' '; });
+    const double indent =
+        double(first - text.begin() + hanging) * fontMetrics().horizontalAdvance(u' ');
+    QTextBlockFormat format;
+    format.setLeftMargin(indent);
+    format.setTextIndent(-indent);
+    return format;
+}
+
 void CodeView::showRows()
 {
     clear();
@@ -101,6 +116,7 @@ void CodeView::showRows()
             format.setForeground(lookOf(palette()).muted);
         if (&row != &rows_.front())
             cursor.insertBlock();
+        cursor.setBlockFormat(blockOf(row.text));
         cursor.insertText(row.text, format);
     }
     QTextBlockFormat apart;
@@ -240,12 +256,12 @@ void CodeView::paintNumbers()
             painter.fillRect(QRectF(0, row.top(), bar, row.height()), look.selection);
         }
         painter.setPen(isCurrent ? look.text : look.muted);
-        painter.drawText(QRectF(0, row.top(), numbers_->width() - 4, row.height()),
-                         Qt::AlignRight | Qt::AlignVCenter,
-                         last > first ? QStringLiteral("%1–%2").arg(first).arg(last)
-                                      : QString::number(first));
+        const double line = std::min<double>(row.height(), fontMetrics().height() + lineDistance);
+        painter.drawText(
+            QRectF(0, row.top(), numbers_->width() - 4, line), Qt::AlignRight | Qt::AlignVCenter,
+            last > first ? QStringLiteral("%1–%2").arg(first).arg(last) : QString::number(first));
         if (folds)
-            paintChevron(painter, {bar + besideBar / 2.0 - 2, row.center().y()}, last == first);
+            paintChevron(painter, {bar + besideBar / 2.0 - 2, row.top() + line / 2}, last == first);
     }
 }
 
@@ -288,7 +304,7 @@ void CodeView::changeEvent(QEvent* event)
     if (event->type() == QEvent::PaletteChange && numbers_)
         showRows(); // in the colours of another theme
     if (event->type() == QEvent::FontChange && numbers_)
-        placeNumbers();
+        showRows(); // their indents follow the font, and so do the numbers
 }
 
 } // namespace ui

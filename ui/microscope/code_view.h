@@ -3,6 +3,7 @@
 
 #include "app/teaching/code_rows.h"
 
+#include <QTextBlockFormat>
 #include <QTextEdit>
 
 namespace ui {
@@ -35,6 +36,7 @@ protected:
 private:
     class Numbers;
     void fold();
+    QTextBlockFormat blockOf(const QString& text) const;
     void showRows();
     void toggle(int row);
     void toggleAll();

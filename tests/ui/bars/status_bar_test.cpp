@@ -53,13 +53,17 @@ private slots:
     void theHintOfEveryToolFits_data()
     {
         QTest::addColumn<QString>("sample");
-        QTest::newRow("an empty drawing") << QString();
-        QTest::newRow("44,000 lines and a clip window") << QStringLiteral("landscape");
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("an empty drawing") << QString() << QSize(1280, 800);
+        QTest::newRow("44,000 lines and a clip window")
+            << QStringLiteral("landscape") << QSize(1280, 800);
+        QTest::newRow("the smallest window") << QStringLiteral("landscape") << QSize(1024, 640);
     }
     void theHintOfEveryToolFits()
     {
         QFETCH(QString, sample);
-        Window w({1280, 800});
+        QFETCH(QSize, size);
+        Window w(size);
         if (!sample.isEmpty())
             w.open(QStringLiteral(SOURCE_DIR "/resources/samples/") + sample + ".svg");
         QCoreApplication::processEvents(); // the cells beside it have their widths
