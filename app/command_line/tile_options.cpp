@@ -5,6 +5,7 @@
 #include "app/base/text.h"
 #include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
+#include "app/scene/bounds.h"
 #include "app/tiles/empty_sheets.h"
 #include "app/tiles/sheet_names.h"
 #include "app/tiles/sheet_settings.h"
@@ -90,12 +91,14 @@ void refuseWithoutTiles(const ParsedArguments& arguments)
             throw WrongUsage{Text::tr("--%1 needs --tiles.").arg(QLatin1StringView(option))};
 }
 
-Tiling withoutEmpty(const Tiling& tiling, const TilePlan& plan, const Document& drawing,
-                    const CutOptions& options)
+Tiling tilingOf(const TilePlan& plan, const Document& drawing, const CutOptions& options)
 {
     const SceneLines lines =
         linesOf(drawing.objects(), drawing.containers().hiddenRanges(), options.tolerance);
-    return withoutEmptySheets(tiling, plan, lines, drawing.objects(), options.leastLength);
+    const auto tiling = tilingOf(drawing.page(), plan, boundsOf(lines));
+    if (!tiling)
+        throw WrongUsage{tiling.error};
+    return withoutEmptySheets(*tiling.value, plan, lines, drawing.objects(), options.leastLength);
 }
 
 // "a.svg", or the first and the last file.
@@ -116,7 +119,8 @@ std::vector<Option> tileOptions()
                   "sheets of this width and height as are needed, with their units (45mmx48mm). "
                   "PAPER: the same with a size of paper (a4, a3, letter …; a4-landscape). The name "
                   "of the output holds {row} and {column}, or {n}, which counts row by row. A PDF "
-                  "file without them gets a page for each sheet.")},
+                  "file without them gets a page for each sheet. Whole sheets are added for what "
+                  "lies beyond the page.")},
         {{"overlap"}, "LENGTH", Text::tr("The strip that neighbouring sheets have in common (0).")},
         {{"sheet-margin"},
          "LENGTH",
@@ -165,12 +169,9 @@ std::optional<TilePlan> tilePlanOf(const ParsedArguments& arguments, const Page&
 void writeTiles(const ParsedArguments& arguments, const TilePlan& plan, const Document& drawing,
                 const CutOptions& options, const Output& output)
 {
-    auto tiling = tilingOf(drawing.page(), plan);
-    if (!tiling)
-        throw WrongUsage{tiling.error};
     const Sheets sheets{drawing,
                         plan,
-                        withoutEmpty(*tiling.value, plan, drawing, options),
+                        tilingOf(plan, drawing, options),
                         options,
                         QFileInfo(arguments.operands().first()).completeBaseName(),
                         arguments.has(QStringLiteral("overview")) ? OverviewSheet::Yes
@@ -182,8 +183,10 @@ void writeTiles(const ParsedArguments& arguments, const TilePlan& plan, const Do
     if (const auto error = writeSheets(sheets, output.path, *output.format, output.options))
         throw Failure{*error};
     say(Text::tr("Sheets: %1 of %2 × %3 mm: %4.")
-            .arg(gridText(*tiling.value), numberText(tiling.value->sheet.x, 1),
-                 numberText(tiling.value->sheet.y, 1), filesText(filesOf(sheets, output.path))));
+            .arg(gridText(sheets.tiling), numberText(sheets.tiling.sheet.x, 1),
+                 numberText(sheets.tiling.sheet.y, 1), filesText(filesOf(sheets, output.path))));
+    if (const QString beyond = beyondText(sheets.tiling); !beyond.isEmpty())
+        say(beyond);
     if (const QString empty = emptySheetsText(sheets.tiling); !empty.isEmpty())
         say(empty + u' ' + Text::tr("--empty-sheets writes them."));
 }

@@ -39,10 +39,17 @@ constexpr SheetMarks allMarks{true, true, true};
 /// Whether sheets without any part of the drawing are written.
 enum class EmptySheets : std::uint8_t { LeftOut, Written };
 
+/// Whole sheets that lie beyond the page, because something is drawn there.
+struct SheetsBeyond {
+    int left = 0, top = 0, right = 0, bottom = 0;
+    bool any() const { return left > 0 || top > 0 || right > 0 || bottom > 0; }
+    friend bool operator==(const SheetsBeyond&, const SheetsBeyond&) = default;
+};
+
 /// How a large drawing is divided among sheets of paper. Lengths are in millimetres on paper.
 struct TilePlan {
     Point sheet{0, 0};         ///< of paper; (0, 0): just large enough for `columns` and `rows`
-    int columns = 1, rows = 1; ///< only used without `sheet`
+    int columns = 1, rows = 1; ///< of the page; only used without `sheet`
     double margin = 10;        ///< of each sheet, on all four sides; nothing is drawn there
     double overlap = 0;        ///< the strip that two neighbouring sheets have in common
     SheetMarks marks{};
@@ -50,6 +57,7 @@ struct TilePlan {
     /// The first sheet begins so far left of and above the page. Only used with `sheet`.
     Point shift{0, 0};
     std::vector<int> leftOut{};               ///< numbers of sheets that are not written
+    SheetsBeyond beyond{};                    ///< the sheets that `leftOut` counts, too
     EmptySheets empty = EmptySheets::LeftOut; ///< see empty_sheets.h
     friend bool operator==(const TilePlan&, const TilePlan&) = default;
 };

@@ -22,7 +22,9 @@ Length readLength(ByteReader& in)
 void writeSheets(ByteWriter& out, const PageSheets& sheets)
 {
     const auto& [paper, landscape, byNumber, plan] = sheets;
-    const auto& [size, columns, rows, margin, overlap, marks, scale, shift, leftOut, empty] = plan;
+    const auto& [size, columns, rows, margin, overlap, marks, scale, shift, leftOut, beyond,
+                 empty] = plan;
+    const auto& [left, top, right, bottom] = beyond;
     const auto& [registration, labels, cropLines] = marks;
     out.put(paper);
     for (const bool flag : {landscape, byNumber, registration, labels, cropLines})
@@ -34,6 +36,8 @@ void writeSheets(ByteWriter& out, const PageSheets& sheets)
         out.put(number);
     out.put(shift);
     out.putList(leftOut);
+    for (const int count : {left, top, right, bottom})
+        out.put(std::int32_t(count));
     out.put(std::uint8_t(empty));
 }
 
@@ -52,6 +56,9 @@ PageSheets readSheets(ByteReader& in)
         *number = in.get<double>();
     plan.shift = in.get<Point>();
     plan.leftOut = in.list<int>();
+    for (int* const count :
+         {&plan.beyond.left, &plan.beyond.top, &plan.beyond.right, &plan.beyond.bottom})
+        in.require((*count = in.get<std::int32_t>()) >= 0 && *count <= mostTiles);
     plan.empty = in.choice(EmptySheets::Written);
     return sheets;
 }

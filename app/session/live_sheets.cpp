@@ -4,7 +4,9 @@
 #include "app/base/text.h"
 #include "app/commands/set_page_parts.h"
 #include "app/cut/permanent_cuts.h"
+#include "app/scene/bounds.h"
 #include "app/tiles/empty_sheets.h"
+#include "app/tiles/left_out.h"
 
 namespace app {
 namespace {
@@ -84,7 +86,7 @@ void LiveSheets::forget()
 {
     settings_.name.clear();
     settings_.plan.shift = Point(0);
-    settings_.plan.leftOut.clear();
+    takeAllIn(settings_.plan);
     kept_.reset();
     if (open_)
         take();
@@ -127,7 +129,8 @@ void LiveSheets::divide() { tiling_ = divided(settings_); }
 Result<Tiling> LiveSheets::divided(const SheetSettings& settings)
 {
     const TilePlan plan = planOf(settings);
-    Result<Tiling> made = tilingOf(session_.now().page(), plan);
+    const auto drawn = open_ ? boundsOf(scene().lines()) : std::nullopt;
+    Result<Tiling> made = tilingOf(session_.now().page(), plan, drawn);
     if (made && open_)
         made.value = withoutEmptySheets(std::move(*made.value), plan, scene().lines(),
                                         drawing().objects(), cutOptions().leastLength);
@@ -143,7 +146,7 @@ std::optional<QString> LiveSheets::change(SheetSettings next)
                        && (made.value->columns != tiling_.value->columns
                            || made.value->rows != tiling_.value->rows);
     if (other && !next.plan.leftOut.empty()) { // they were other sheets
-        next.plan.leftOut.clear();
+        takeAllIn(next.plan);
         made = divided(next);
     }
     if (!made && tiling_)

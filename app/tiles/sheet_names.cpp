@@ -17,15 +17,37 @@ const QRegularExpression& numbers()
     return all;
 }
 
+QString columnsText(int count)
+{
+    return count == 1 ? Text::tr("1 column") : Text::tr("%1 columns").arg(count);
+}
+
+QString rowsText(int count)
+{
+    return count == 1 ? Text::tr("1 row") : Text::tr("%1 rows").arg(count);
+}
+
 } // namespace
 
 QString gridText(const Tiling& tiling)
 {
-    const QString columns =
-        tiling.columns == 1 ? Text::tr("1 column") : Text::tr("%1 columns").arg(tiling.columns);
-    const QString rows =
-        tiling.rows == 1 ? Text::tr("1 row") : Text::tr("%1 rows").arg(tiling.rows);
-    return Text::tr("%1 × %2").arg(columns, rows);
+    return Text::tr("%1 × %2").arg(columnsText(tiling.columns), rowsText(tiling.rows));
+}
+
+QString beyondText(const Tiling& tiling)
+{
+    const auto& [left, top, right, bottom] = tiling.beyond;
+    QStringList sides;
+    if (left > 0)
+        sides << Text::tr("%1 on the left").arg(columnsText(left));
+    if (right > 0)
+        sides << Text::tr("%1 on the right").arg(columnsText(right));
+    if (top > 0)
+        sides << Text::tr("%1 above").arg(rowsText(top));
+    if (bottom > 0)
+        sides << Text::tr("%1 below").arg(rowsText(bottom));
+    return sides.empty() ? QString()
+                         : Text::tr("Beyond the page: %1.").arg(sides.join(Text::tr(", ")));
 }
 
 QString sheetName(const QString& pattern, const Tiling& tiling, const Tile& tile)

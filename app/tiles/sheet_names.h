@@ -9,6 +9,8 @@ namespace app {
 
 /// "3 columns × 1 row".
 QString gridText(const Tiling& tiling);
+/// "Beyond the page: 1 column on the left, 2 rows below." Empty text if no sheets are there.
+QString beyondText(const Tiling& tiling);
 
 // The names of the files of sheets, by a pattern such as "plan-{row}-{column}.svg".
 

@@ -3,6 +3,9 @@
 
 #include "app/base/numbers.h"
 #include "app/base/text.h"
+#include "app/tiles/left_out.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,17 +24,34 @@ QString millimetres(double length)
 
 /// One direction of the division: along x or y.
 struct Row {
-    double sheet, part; ///< a sheet, and what is drawn on it, in millimetres
-    int count;
-    double shift; ///< the first sheet begins so far before the page
+    double sheet, part;        ///< a sheet, and what is drawn on it, in millimetres
+    int count;                 ///< sheets of the page
+    double shift;              ///< the first of them begins so far before the page
+    int before = 0, after = 0; ///< sheets beyond the page
+
+    int all() const { return before + count + after; }
 };
 
-// How many parts cover the length. A part more for a rounding error would be empty.
+/// A length on the sheets, from the page's corner, in millimetres.
+struct Reach {
+    double from, to;
+};
+
+constexpr double rounding = 1e-9; // of a step: a sheet more for it would be empty
+
+// How many parts cover the length.
 int countFor(double length, double part, double overlap)
 {
-    constexpr double rounding = 1e-9;
     const double count = std::ceil((length - overlap) / (part - overlap) - rounding);
     return int(std::clamp(count, 1.0, mostTiles + 1.0));
+}
+
+// How many further sheets cover a length beyond the others; 0 for what is not a number.
+int furtherFor(double length, double step)
+{
+    if (!(length > leastBeyond && step > 0))
+        return 0;
+    return int(std::min(std::ceil(length / step - rounding), mostTiles + 1.0));
 }
 
 Row rowOf(double length, int axis, const TilePlan& plan)
@@ -46,6 +66,14 @@ Row rowOf(double length, int axis, const TilePlan& plan)
         return {plan.sheet[axis], part, 0, 0};
     const double shift = plan.shift[axis] - std::floor(plan.shift[axis] / step) * step;
     return {plan.sheet[axis], part, countFor(length + shift, part, plan.overlap), shift};
+}
+
+Row extended(Row row, double overlap, const Reach& drawn)
+{
+    const double step = row.part - overlap;
+    row.before = furtherFor(-row.shift - drawn.from, step);
+    row.after = furtherFor(drawn.to - (row.count * step + overlap - row.shift), step);
+    return row;
 }
 
 QString refusalOf(const TilePlan& plan, const Row& across, const Row& down)
@@ -66,6 +94,10 @@ QString refusalOf(const TilePlan& plan, const Row& across, const Row& down)
     if (across.count < 1 || down.count < 1 || across.count * down.count > mostTiles)
         return Text::tr("The drawing needs more than %1 sheets. Choose larger ones.")
             .arg(mostTiles);
+    if (across.all() * down.all() > mostTiles)
+        return Text::tr("What lies beyond the page needs more than %1 sheets. Hide it, lay a clip "
+                        "window on the page, or choose larger sheets.")
+            .arg(mostTiles);
     return {};
 }
 
@@ -73,25 +105,35 @@ QString refusalOf(const TilePlan& plan, const Row& across, const Row& down)
 
 int Tiling::written() const { return int(std::ranges::count(tiles, false, &Tile::leftOut)); }
 
-Result<Tiling> tilingOf(const Page& page, const TilePlan& plan)
+Result<Tiling> tilingOf(const Page& page, const TilePlan& plan,
+                        const std::optional<clipping::Window>& drawn)
 {
     const double unit = page.millimetresPerUnit() * plan.scale;
-    const Row across = rowOf(page.size.x * unit, 0, plan),
-              down = rowOf(page.size.y * unit, 1, plan);
+    const auto rowAlong = [&](int axis) {
+        const Row row = rowOf(page.size[axis] * unit, axis, plan);
+        const auto onSheets = [&](const Point& p) { return (p[axis] - page.min[axis]) * unit; };
+        return drawn ? extended(row, plan.overlap, {onSheets(drawn->min), onSheets(drawn->max)})
+                     : row;
+    };
+    const Row across = rowAlong(0), down = rowAlong(1);
     if (const QString refusal = refusalOf(plan, across, down); !refusal.isEmpty())
         return Result<Tiling>::failure(refusal);
-    Tiling tiling{{across.sheet, down.sheet}, across.count, down.count};
+    Tiling tiling{{across.sheet, down.sheet}, across.all(), down.all()};
+    tiling.beyond = {across.before, down.before, across.after, down.after};
     tiling.millimetresPerUnit = unit;
     tiling.overlap = plan.overlap / unit;
-    tiling.drawing = page.size * unit;
+    const clipping::Window paper = page.rectangle();
+    tiling.drawing =
+        drawn ? (glm::max(paper.max, drawn->max) - glm::min(paper.min, drawn->min)) * unit
+              : page.size * unit;
     const Point part = Point(across.part, down.part) / unit;
     const Point step = part - tiling.overlap;
     const Point first = page.min - Point(across.shift, down.shift) / unit;
-    for (int row = 0; row < down.count; ++row)
-        for (int column = 0; column < across.count; ++column) {
-            const Point min = first + step * Point(column, row);
+    for (int row = 0; row < tiling.rows; ++row)
+        for (int column = 0; column < tiling.columns; ++column) {
+            const Point min = first + step * Point(column - across.before, row - down.before);
             Tile tile{row + 1, column + 1, {min, min + part}};
-            tile.leftOut = std::ranges::count(plan.leftOut, tiling.numberOf(tile)) > 0;
+            tile.leftOut = isLeftOut(plan, tiling, tile);
             tiling.tiles.push_back(tile);
         }
     return Result<Tiling>::of(std::move(tiling));

@@ -38,18 +38,17 @@ SheetsSection::SheetsSection(app::Session& session, app::LiveSheets& sheets, QWi
       turn_(new Segments(Text::tr("Orientation"), {Text::tr("Portrait"), Text::tr("Landscape")})),
       by_(new Segments(Text::tr("Cut by"), {Text::tr("Paper size"), Text::tr("Number")})),
       columns_(countField(Text::tr("Columns"))), rows_(countField(Text::tr("Rows"))),
-      scale_(new QDoubleSpinBox), size_(quietLabel({})), refusal_(new LookLabel)
+      scale_(new QDoubleSpinBox), size_(quietLabel({})), remark_(new LookLabel)
 {
     addPaper();
     addNumbers();
     addLengths();
-    refusal_->setWordWrap(true);
-    refusal_->setColour(errorColour);
-    refusal_->setFont(captionFont(font()));
-    refusal_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    refusal_->setFixedHeight(2 * QFontMetrics(refusal_->font()).lineSpacing());
-    refusal_->setObjectName(QStringLiteral("sheets-refusal"));
-    addWide(refusal_);
+    remark_->setWordWrap(true);
+    remark_->setFont(captionFont(font()));
+    remark_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    remark_->setFixedHeight(2 * QFontMetrics(remark_->font()).lineSpacing());
+    remark_->setObjectName(QStringLiteral("sheets-remark"));
+    addWide(remark_);
     connect(&sheets, &app::LiveSheets::changed, this, &SheetsSection::follow);
     connect(&sheets, &app::LiveSheets::openChanged, this, &SheetsSection::follow);
     connect(&session, &app::Session::displayChanged, this, &SheetsSection::follow); // the unit
@@ -80,8 +79,8 @@ void SheetsSection::addPaper()
             next.byNumber = chosen == 1;
             next.plan.shift = app::Point(0);
             if (next.byNumber && sheets_.tiling()) {
-                next.plan.columns = sheets_.tiling().value->columns;
-                next.plan.rows = sheets_.tiling().value->rows;
+                next.plan.columns = sheets_.tiling().value->pageColumns();
+                next.plan.rows = sheets_.tiling().value->pageRows();
             }
         });
     });
@@ -167,13 +166,28 @@ void SheetsSection::refuse(QWidget* field, const QString& sentence)
     say(sentence);
 }
 
-void SheetsSection::say(const QString& sentence) { refusal_->setText(sentence); }
+void SheetsSection::say(const QString& sentence)
+{
+    refused_ = sentence;
+    showRemark();
+}
+
+/// A refusal, or else which sheets lie beyond the page.
+void SheetsSection::showRemark()
+{
+    const auto& tiling = sheets_.tiling();
+    const QString beyond = tiling ? app::beyondText(*tiling.value) : QString();
+    remark_->setColour([refused = !refused_.isEmpty()](const Look& look) {
+        return refused ? errorColour(look) : look.muted;
+    });
+    remark_->setText(refused_.isEmpty() ? beyond : refused_);
+}
 
 void SheetsSection::withdraw()
 {
     for (RefusalFrame* frame : frames_)
         frame->hide();
-    refusal_->clear();
+    say({});
 }
 
 void SheetsSection::follow()
@@ -194,12 +208,15 @@ void SheetsSection::follow()
     scale_->setValue(now.plan.scale * 100);
     columns_->setEnabled(byNumber);
     rows_->setEnabled(byNumber);
-    const QString why = byNumber ? QString() : Text::tr("Choose “Number” to set it.");
+    const QString why = byNumber
+                            ? Text::tr("For the page. Sheets are added for what lies beyond it.")
+                            : Text::tr("Choose “Number” to set it.");
     columns_->setToolTip(why);
     rows_->setToolTip(why);
     const QString whyNoPaper = byNumber ? Text::tr("Choose “Paper size” to set it.") : QString();
     paper_->setToolTip(whyNoPaper);
     turn_->setToolTip(whyNoPaper);
+    showRemark();
     const auto& tiling = sheets_.tiling();
     columns_->setValue(byNumber || !tiling ? now.plan.columns : tiling.value->columns);
     rows_->setValue(byNumber || !tiling ? now.plan.rows : tiling.value->rows);

@@ -27,8 +27,8 @@ class SheetsSection : public Section {
 public:
     SheetsSection(app::Session& session, app::LiveSheets& sheets, QWidget* parent = nullptr);
 
-    QString refusal() const { return refusal_->text(); } ///< empty: none
-    void say(const QString& sentence);                   ///< why something else was refused
+    const QString& refusal() const { return refused_; } ///< empty: none
+    void say(const QString& sentence);                  ///< why something else was refused
     void withdraw();
 
 signals:
@@ -42,6 +42,7 @@ private:
                            const QString& remark);
     void change(QWidget* field, const std::function<void(app::SheetSettings&)>& edit);
     void refuse(QWidget* field, const QString& sentence);
+    void showRemark();
     void follow();
 
     app::Session& session_;
@@ -52,7 +53,8 @@ private:
     LengthField *overlap_, *margin_;
     QDoubleSpinBox* scale_;
     QLabel* size_;
-    LookLabel* refusal_;
+    LookLabel* remark_;
+    QString refused_;
     QHash<QWidget*, RefusalFrame*> frames_;
     bool following_ = false;
 };

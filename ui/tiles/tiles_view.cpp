@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tiles/tiles_view.h"
 
+#include "app/tiles/left_out.h"
 #include "ui/look/text.h"
 #include "ui/tiles/sheet_painter.h"
 #include "ui/widgets/spoken_role.h"
@@ -318,17 +319,13 @@ void TilesView::toggle(std::size_t sheet)
 {
     const app::Tiling& tiling = *sheets_.tiling().value;
     const app::Tile& tile = tiling.tiles[sheet];
-    const int number = tiling.numberOf(tile);
     app::SheetSettings next = sheets_.settings();
-    auto& leftOut = next.plan.leftOut;
-    if (tile.empty && std::ranges::count(leftOut, number) == 0)
+    if (tile.empty && !isLeftOut(next.plan, tiling, tile))
         return emit hinted(
             Text::tr("Sheet %1-%2 is empty. Clear “Leave out empty sheets” to export it.")
                 .arg(tile.row)
                 .arg(tile.column));
-    if (std::erase(leftOut, number) == 0)
-        leftOut.push_back(number);
-    std::ranges::sort(leftOut);
+    next.plan = toggled(next.plan, tiling, tile);
     sheets_.change(std::move(next));
 }
 

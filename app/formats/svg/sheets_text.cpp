@@ -79,6 +79,20 @@ bool takeLeftOut(std::string_view text, std::vector<int>& to)
     return true;
 }
 
+bool takeBeyond(std::string_view text, SheetsBeyond& to)
+{
+    const auto numbers = sheetNumbers(text);
+    if (!numbers || (numbers->size() != 4 && !numbers->empty()))
+        return false;
+    if (numbers->empty())
+        return true;
+    for (const double number : *numbers)
+        if (!(number >= 0 && number <= mostTiles) || number != std::floor(number))
+            return false;
+    to = {int((*numbers)[0]), int((*numbers)[1]), int((*numbers)[2]), int((*numbers)[3])};
+    return true;
+}
+
 bool takeDivision(const Tree& tree, Node node, PageSheets& sheets)
 {
     sheets.byNumber = tree.hasAttribute(node, "columns");
@@ -119,7 +133,8 @@ std::optional<PageSheets> sheetsOf(const Tree& tree, Node node)
     if (tree.attribute(node, "empty") == emptyWritten)
         sheets.plan.empty = EmptySheets::Written;
     if (!takeDivision(tree, node, sheets)
-        || !takeLeftOut(tree.attribute(node, "left-out"), sheets.plan.leftOut))
+        || !takeLeftOut(tree.attribute(node, "left-out"), sheets.plan.leftOut)
+        || !takeBeyond(tree.attribute(node, "beyond"), sheets.plan.beyond))
         return std::nullopt;
     return sheets;
 }
@@ -147,6 +162,9 @@ std::string textOf(const std::optional<PageSheets>& sheets)
     if (!plan.leftOut.empty())
         appendAttribute(text, "left-out",
                         std::vector<double>(plan.leftOut.begin(), plan.leftOut.end()));
+    if (const auto& [left, top, right, bottom] = plan.beyond; plan.beyond.any())
+        appendAttribute(text, "beyond",
+                        std::array{double(left), double(top), double(right), double(bottom)});
     if (plan.empty == EmptySheets::Written)
         appendAttribute(text, "empty", emptyWritten);
     return text + "/>";

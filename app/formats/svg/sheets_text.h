@@ -10,9 +10,11 @@
 
 // How the page is divided among sheets of paper, as an element of the root's metadata:
 //   <clearcut:sheets paper="A4 landscape" margin="10" overlap="10" scale="1" shift="3 0"
-//     marks="registration labels crop" left-out="2 6"/>
-// By number, columns="3" rows="2" are in place of the shift. Sheets without any part of the drawing
-// are left out unless empty="written".
+//     marks="registration labels crop" left-out="2 6"
+//     beyond="1 0 0 0"/>
+// `beyond` are the sheets left of, above, right of and below the page that the numbers of left-out
+// count. By number, columns="3" rows="2" are in place of the shift. Sheets without any part of the
+// drawing are left out unless empty="written".
 
 namespace app::svg {
 

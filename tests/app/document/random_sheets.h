@@ -81,6 +81,7 @@ public:
         plan.empty = below(2) ? app::EmptySheets::Written : app::EmptySheets::LeftOut;
         for (auto n = below(3); n > 0; --n)
             plan.leftOut.push_back(1 + int(below(app::mostTiles)));
+        plan.beyond = {int(below(3)), int(below(3)), int(below(3)), int(below(3))};
         if (sheets.byNumber) {
             plan.columns = 1 + int(below(20));
             plan.rows = 1 + int(below(20));

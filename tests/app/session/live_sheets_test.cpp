@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/transform_objects.h"
 #include "app/document/contents.h"
 #include "app/document/document_builder.h"
 #include "app/document/recipe_outline.h"
@@ -202,6 +203,31 @@ private slots:
         session.history.undo();
         sheets.wait();
         QCOMPARE(sheets.tiling().value->written(), 2);
+    }
+
+    // 100 mm to the left, and back: one column more, and none.
+    void sheetsFollowWhatLiesBeyondThePage()
+    {
+        Session session;
+        LiveSheets sheets(session);
+        session.load(wide());
+        sheets.open();
+        SheetSettings next = sheets.settings();
+        next.plan.leftOut = {1};
+        QVERIFY(!sheets.change(next));
+        session.history.push(new TransformObjects(session.document, {0}, translation({-100, 0}),
+                                                  StrokeScaling::Keep, "Move"));
+        QCOMPARE(sheets.tiling().value->beyond.left, 1);
+        QCOMPARE(sheets.tiling().value->columns, 4);
+        QVERIFY(!sheets.tiling().value->tiles[0].leftOut);
+        QVERIFY(sheets.tiling().value->tiles[1].leftOut);
+        next = sheets.settings();
+        next.byNumber = true;
+        next.plan.columns = sheets.tiling().value->pageColumns();
+        QVERIFY(!sheets.change(next));
+        QCOMPARE(sheets.tiling().value->columns, 4);
+        session.history.undo();
+        QVERIFY(!sheets.tiling().value->beyond.any());
     }
 
     void theDrawingIsCutAtItsWindowsFirst()

@@ -177,6 +177,31 @@ private slots:
         QVERIFY2(info.out.contains("841.89 x 595.276 pts"), info.out.constData());
     }
 
+    // A window that reaches beyond the page: what is drawn there has sheets of its own.
+    void whatLiesBeyondThePageIsWritten()
+    {
+        const QTemporaryDir folder;
+        const QString input = folder.filePath("plan.svg");
+        writeText(input, "<svg xmlns='http://www.w3.org/2000/svg' width='90mm' height='96mm' "
+                         "viewBox='0 0 90 96'><path d='M-30 10H80' stroke='#000'/></svg>");
+        const auto files = [&](const QString& window) {
+            const QTemporaryDir out;
+            const auto run = clearcut({"clip", input, "-w", window, "--tiles", "45mmx48mm", "-o",
+                                       out.filePath("{row}-{column}.svg")});
+            return QDir(out.path()).entryList(QDir::Files, QDir::Name).join(u' ')
+                   + (run.err.contains("Beyond the page: 1 column on the left.") ? " beyond" : "");
+        };
+        QCOMPARE(files("0,0,90,96"), "1-1.svg 1-2.svg");
+        QCOMPARE(files("-100,0,90,96"), "1-1.svg 1-2.svg 1-3.svg beyond");
+        writeText(input, "<svg xmlns='http://www.w3.org/2000/svg' width='90mm' height='96mm' "
+                         "viewBox='0 0 90 96'><path d='M-30000 10H80' stroke='#000'/></svg>");
+        const auto run = clearcut({"clip", input, "-w", "-40000,0,90,96", "--tiles", "45mmx48mm",
+                                   "-o", folder.filePath("{n}.svg")});
+        QVERIFY(run.code != 0);
+        QVERIFY2(run.err.contains("What lies beyond the page needs more than 1000 sheets."),
+                 run.err.constData());
+    }
+
     // Sheets of a size that no paper has; they have no margin unless it is asked for.
     void sheetsOfAnySize()
     {

@@ -181,6 +181,28 @@ private slots:
         QCOMPARE(t.tiling().sheet, app::Point(570 / 4.0 + 20, 275 + 20));
     }
 
+    // By number, the columns are those of the page; the sheet says what is added to them.
+    void sheetsBeyondThePageAreSaid()
+    {
+        Stage t("<path d='M-30 20H50V700' stroke='#000' fill='none'/>");
+        t.openTiles();
+        auto& remark = t.part<QLabel>("sheets-remark");
+        QCOMPARE(remark.text(), "Beyond the page: 1 column on the left, 1 row below.");
+        QCOMPARE(t.tiling().columns, 4);
+        QCOMPARE(t.exportText(), "Export 11 sheets…"); // of 4 × 3
+        t.type("sheets-overlap", "190mm");
+        QVERIFY(remark.text().startsWith("Overlap must be less"));
+        t.type("sheets-overlap", "12");
+        QCOMPARE(remark.text(), "Beyond the page: 1 column on the left, 1 row below.");
+        t.pick("sheets-by", "Number");
+        QCOMPARE(t.part<QSpinBox>("sheets-columns").value(), 3);
+        QCOMPARE(t.tiling().columns, 4);
+        TilesView& view = t.page().view();
+        QTest::mouseClick(&view, Qt::LeftButton, {}, view.middleOf(1).toPoint());
+        QVERIFY(t.tiling().tiles[1].leftOut);
+        QVERIFY(t.sheets().settings().plan.beyond.left == 1);
+    }
+
     // The old value stays, its field has a red border, and a sentence says why.
     void aRefusedValueIsExplained()
     {

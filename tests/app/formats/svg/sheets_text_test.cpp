@@ -57,6 +57,10 @@ private slots:
             "Letter", false, true, {.columns = 3, .rows = 2, .empty = app::EmptySheets::Written}};
         QVERIFY(textOf(byNumber).contains("columns=\"3\" rows=\"2\""));
         QVERIFY(read(textOf(byNumber)) == byNumber);
+        app::PageSheets beyond = byPaper;
+        beyond.plan.beyond = {1, 0, 0, 2};
+        QVERIFY(textOf(beyond).contains("left-out=\"2 6\" beyond=\"1 0 0 2\""));
+        QVERIFY(read(textOf(beyond)) == beyond);
         QVERIFY(!::textOf(app::Document()).contains("sheets"));
         QVERIFY(!read(::textOf(app::Document())));
     }
@@ -68,8 +72,9 @@ private slots:
               " margin='-1' overlap='2' scale='1'" + QByteArray(),
               lengths + " columns='0' rows='2'", lengths + " columns='2'",
               lengths + " columns='2.5' rows='2'", lengths + " shift='1'",
-              lengths + " left-out='1,b'", lengths + " left-out='0'",
-              lengths + " columns='1e9' rows='1'"}) {
+              lengths + " left-out='1,b'", lengths + " left-out='0'", lengths + " beyond='1 0 0'",
+              lengths + " beyond='-1 0 0 0'", lengths + " beyond='0.5 0 0 0'",
+              lengths + " beyond='1e9 0 0 0'", lengths + " columns='1e9' rows='1'"}) {
             const QByteArray element = metadata("<c:sheets paper='A4'" + bad + "/>");
             QVERIFY2(!read(drawing(element)), bad);
             QVERIFY2(reportOf(element).contains("division among sheets with a missing"), bad);
