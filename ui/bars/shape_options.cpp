@@ -6,12 +6,14 @@
 #include "ui/canvas/canvas.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
+#include "ui/tools/kept_choices.h"
 #include "ui/widgets/elements.h"
 #include "ui/widgets/font_list.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/look_label.h"
 #include "ui/widgets/segments.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QScopedValueRollback>
@@ -29,7 +31,9 @@ struct ShapeOptions::Option {
     std::size_t number; ///< which of the tool's numbers
     Field (ShapeOptions::*make)(const Option& option);
     app::Numbers usual;
-    bool ofWindows = true; ///< also of clip windows of this shape
+    bool ofWindows = true;              ///< also of clip windows of this shape
+    QString tip{};                      ///< of a switch
+    std::optional<std::size_t> needs{}; ///< the number that must be on for this one
 };
 
 std::span<const ShapeOptions::Option> ShapeOptions::options()
@@ -41,6 +45,12 @@ std::span<const ShapeOptions::Option> ShapeOptions::options()
         Option{"star", Text::tr("Points"), 2, &Self::makeCount, app::usualStar()},
         Option{"star", Text::tr("Inner radius"), 3, &Self::makePercent, app::usualStar()},
         Option{"rectangle", Text::tr("Corner radius"), 2, &Self::makeLength, {}, false},
+        Option{keptLine, Text::tr("Chain lines"), 0, &Self::makeSwitch, usualLine, false,
+               Text::tr("From click to click, the next line begins where the last one ends")},
+        Option{keptLine, Text::tr("Close at the start"), 1, &Self::makeSwitch, usualLine, false,
+               Text::tr("A click where the first line began ends the chain"), 0},
+        Option{keptPolyline, Text::tr("Close"), 0, &Self::makeSwitch, usualPolyline, false,
+               Text::tr("Enter or Esc closes the polyline when it has three corners or more")},
         Option{"pencil", Text::tr("Tolerance"), 0, &Self::makeTolerance, {}},
         Option{"arc", Text::tr("By", "how an arc is drawn"), 0, &Self::makeArcChoice, {}},
         Option{"text", Text::tr("Font"), 0, &Self::makeFont, {}},
@@ -57,8 +67,8 @@ ShapeOptions::ShapeOptions(app::Session& session, Canvas& canvas)
     for (const Option& option : options()) {
         Field field = (this->*option.make)(option);
         field.option = &option;
-        field.label = quietLabel(option.name);
-        row->addWidget(field.label);
+        if (!qobject_cast<QCheckBox*>(field.field))
+            row->addWidget(field.label = quietLabel(option.name));
         row->addWidget(field.field);
         fields_.push_back(std::move(field));
     }
@@ -175,6 +185,22 @@ ShapeOptions::Field ShapeOptions::makePercent(const Option& option)
     return made;
 }
 
+ShapeOptions::Field ShapeOptions::makeSwitch(const Option& option)
+{
+    auto* field = new QCheckBox(option.name);
+    field->setToolTip(option.tip);
+    connect(field, &QCheckBox::clicked, this, [this, &option](bool on) {
+        set(option, on ? 1 : 0);
+        follow();
+        canvas_.setFocus();
+    });
+    return {field, [this, field, &option] {
+                const app::Numbers kept = canvas_.keptNumbers(option.shape).value_or(option.usual);
+                field->setChecked(kept[option.number] != 0);
+                field->setEnabled(!option.needs || kept[*option.needs] != 0);
+            }};
+}
+
 /// Shows so many parts of 1.
 ShapeOptions::Field ShapeOptions::makeSpin(const Option& option, int least, int most, double parts)
 {
@@ -213,9 +239,10 @@ void ShapeOptions::follow()
     const QScopedValueRollback guard(following_, true);
     for (const Field& each : fields_) {
         const bool isShown = offers(*each.option);
-        each.label->setVisible(isShown);
+        if (each.label)
+            each.label->setVisible(isShown);
         each.field->setVisible(isShown);
-        if (isShown && !each.field->hasFocus())
+        if (isShown && (!each.field->hasFocus() || !each.label)) // nothing is being typed
             each.show();
     }
     layout()->invalidate(); // or its size is that of before, until events are handled

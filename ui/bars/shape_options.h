@@ -15,7 +15,8 @@ class LengthField;
 
 /// What the tool in hand keeps for the next object: sides of a polygon, points and inner radius of
 /// a star, corner radius of a rectangle, tolerance of the pencil, how an arc is drawn, font and
-/// size of a text. Also of clip windows of these shapes.
+/// size of a text, whether lines make a chain and polylines are closed. Also of clip windows of
+/// these shapes.
 class ShapeOptions : public QWidget {
     Q_OBJECT
 
@@ -37,7 +38,7 @@ private:
         QWidget* field;
         std::function<void()> show; ///< its value
         const Option* option = nullptr;
-        QWidget* label = nullptr;
+        QWidget* label = nullptr; ///< null: the field has its name itself
     };
     LengthField* lengthField(const Option& option);
     void show(LengthField& field, double length);
@@ -48,6 +49,7 @@ private:
     Field makeArcChoice(const Option& option);
     Field makeCount(const Option& option);
     Field makePercent(const Option& option);
+    Field makeSwitch(const Option& option);
     Field makeSpin(const Option& option, int least, int most, double parts);
     double number(const Option& option) const;
     void set(const Option& option, double number);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
 #include "ui/look/text.h"
+#include "ui/tools/kept_choices.h"
 #include "ui/tools/two_points.h"
 
 #include <glm/geometric.hpp>
@@ -9,13 +10,18 @@ namespace ui {
 namespace {
 
 /// Draws a line by a drag, or lines from click to click: each begins where the last one ends, until
-/// Enter, Esc or a double click. With Alt a line extends from its middle to both sides.
+/// Enter, Esc, a double click or a click where the first one began. A person may choose that each
+/// line stands alone. With Alt a line extends from its middle to both sides.
 class LineTool final : public TwoPointTool, public TakesKeys, public HasSteps {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
     {
         chained_ = chained_ && busy();
-        TwoPointTool::press(pointer, bench);
+        Pointer at = pointer;
+        if (mayClose(bench) && !pointer.held
+            && glm::distance(at.position, starts_.front()) <= bench.inDrawing(reach))
+            at.position = at.steered = starts_.front();
+        TwoPointTool::press(at, bench);
     }
     void doubleClick(const Pointer& pointer, Workbench& bench) override
     {
@@ -73,13 +79,25 @@ protected:
     {
         if (refusesEmpty(bench))
             return;
+        const bool closed = mayClose(bench) && gesture_->to == starts_.front();
         add(bench);
+        if (closed || !kept(0, bench))
+            return cancel(bench);
         chained_ = true;
         starts_.push_back(gesture_->from);
         begin(gesture_->to, bench);
     }
 
 private:
+    static bool kept(std::size_t choice, const Workbench& bench)
+    {
+        return keptBy(keptLine, bench, usualLine)[choice] != 0;
+    }
+    /// A third line may end where the first one began.
+    bool mayClose(const Workbench& bench) const
+    {
+        return starts_.size() > 1 && kept(0, bench) && kept(1, bench);
+    }
     static clipping::Segment lineOf(const Gesture& gesture)
     {
         const bool centre = anchorOf(gesture.modifiers) == app::Anchor::Centre;

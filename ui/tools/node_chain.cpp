@@ -147,7 +147,7 @@ void ChainTool::paint(QPainter& painter, const Workbench& bench) const
     if (nodes_.empty())
         return;
     app::Subpath path =
-        corrects() && to_ ? pathOf(corrected(*to_), false) : pathOf(nodes_, closes());
+        corrects() && to_ ? pathOf(corrected(*to_), false) : pathOf(nodes_, closes(bench));
     if (to_ && showsNext() && !corrects()) {
         const Node& last = nodes_.back();
         path.segments.push_back(last.out == last.at ? app::PathSegment{*to_}

@@ -51,7 +51,8 @@ protected:
     virtual void paintPath(QPainter& painter, const Workbench& bench,
                            const app::Subpath& path) const;
     virtual bool showsNext() const { return true; } ///< where the path would go on
-    virtual bool closes() const { return false; }   ///< the path that is shown is closed
+    /// Whether the path that is shown is closed.
+    virtual bool closes(const Workbench&) const { return false; }
     void add(const app::Point& at);
     /// A click there closes the path.
     bool closesAt(const app::Point& point, const Workbench& bench) const;

@@ -111,7 +111,7 @@ public:
 protected:
     QString undoText() const override { return Text::tr("Draw curve"); }
     bool showsNext() const override { return !dragged_; }
-    bool closes() const override { return closing_ && dragged_; }
+    bool closes(const Workbench&) const override { return closing_ && dragged_; }
 
 private:
     Node& pulled() { return closing_ ? nodes_.front() : nodes_.back(); }

@@ -89,7 +89,7 @@ public:
     QString stepText() const override { return Text::tr("Place corner"); }
 
 protected:
-    bool closes() const override { return true; }
+    bool closes(const Workbench&) const override { return true; }
     void paintPath(QPainter& painter, const Workbench& bench,
                    const app::Subpath& path) const override
     {

@@ -7,6 +7,7 @@
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/segments.h"
 
+#include <QCheckBox>
 #include <QSpinBox>
 
 #include "tests/test_class.h"
@@ -103,6 +104,34 @@ private slots:
         QTest::keyClick(bar.drawingArea(), Qt::Key_Up);
         QTest::mouseRelease(bar.drawingArea(), Qt::LeftButton, {}, from + QPoint(60, 30));
         QTRY_COMPARE(bar.field<QSpinBox>("Sides")->value(), 7);
+    }
+    void linesMakeAChainUnlessThatIsSwitchedOff()
+    {
+        Bar bar;
+        const auto named = [&](const QString& text) -> QCheckBox& {
+            for (auto* box : bar.row().findChildren<QCheckBox*>())
+                if (box->text() == text)
+                    return *box;
+            qFatal("no box %s", qPrintable(text));
+        };
+        const auto click = [](QCheckBox& box) {
+            QTest::mouseClick(&box, Qt::LeftButton, {}, {8, box.height() / 2});
+        };
+        bar.window->canvas().setTool("line");
+        QCheckBox &chain = named("Chain lines"), &start = named("Close at the start");
+        QTRY_VERIFY(chain.isVisible() && start.isVisible());
+        QVERIFY(chain.isChecked() && start.isChecked() && start.isEnabled());
+        click(chain);
+        QCOMPARE(bar.window->canvas().keptNumbers("line").value()[0], 0.0);
+        QVERIFY(!start.isEnabled());
+        QCOMPARE(bar.window->focusWidget(), bar.drawingArea());
+        click(chain);
+        click(start);
+        QCOMPARE(bar.window->canvas().keptNumbers("line").value()[1], 0.0);
+        bar.window->canvas().setTool("polyline");
+        QTRY_VERIFY(named("Close").isVisible() && !chain.isVisible());
+        click(named("Close"));
+        QCOMPARE(bar.window->canvas().keptNumbers("polyline").value()[0], 1.0);
     }
     void anArcIsByItsCentreOrThroughPoints()
     {

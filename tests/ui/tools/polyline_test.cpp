@@ -46,6 +46,23 @@ private slots:
         QCOMPARE(session.history.index(), 0);
         QCOMPARE(session.history.count(), 2);
     }
+    // Chosen in the bar: what is ended is closed, if it has three corners.
+    void itIsClosedIfThatIsChosen()
+    {
+        Hand hand;
+        hand.window.canvas().keepNumbers("polyline", {1});
+        hand.click(2);
+        hand.key(Qt::Key_Return);
+        hand.click(3);
+        hand.key(Qt::Key_Return);
+        hand.click(4);
+        hand.window.canvas().setTool("select"); // keeps it, too
+        const auto& objects = hand.window.session().now().objects();
+        QCOMPARE(objects.size(), std::size_t(3));
+        for (const std::size_t i : {0, 1, 2})
+            QCOMPARE(objects[i].path().subpaths().front().closed, i > 0);
+        QCOMPARE(hand.corners(2), hand.placed(4));
+    }
     void undoRemovesACornerAndRedoRestoresIt()
     {
         Hand hand;

@@ -111,6 +111,42 @@ private slots:
         hand.type("1,1\n");
         QVERIFY(same(hand.lastLine().a, {40, 50}) && same(hand.lastLine().b, {41, 51}));
     }
+    void aChainEndsWhereItBegan()
+    {
+        Hand hand("line");
+        for (const app::Point& at : {app::Point(20, 20), {80, 20}, {80, 60}, {23, 22}, {120, 90}})
+            hand.click(at);
+        QCOMPARE(hand.count(), std::size_t(3)); // the last click begins another one
+        QCOMPARE(hand.lastLine().b, hand.session.scene.lines()[0].a);
+        hand.click({120, 40});
+        QCOMPARE(hand.count(), std::size_t(4));
+        QVERIFY(hand.lastLine().a != hand.session.scene.lines()[0].a);
+    }
+    void aChainGoesOnIfThatIsChosen()
+    {
+        Hand hand("line");
+        hand.canvas->keepNumbers("line", {1, 0});
+        for (const app::Point& at : {app::Point(20, 20), {80, 20}, {80, 60}, {20, 20}, {120, 90}})
+            hand.click(at);
+        QCOMPARE(hand.count(), std::size_t(4));
+    }
+    // By clicks and by numbers.
+    void linesStandAloneIfThatIsChosen()
+    {
+        Hand hand("line");
+        hand.canvas->keepNumbers("line", {0, 1});
+        for (const app::Point& at : {app::Point(20, 20), {80, 20}, {80, 60}, {20, 60}, {20, 30}})
+            hand.click(at);
+        QCOMPARE(hand.count(), std::size_t(2));
+        const auto& lines = hand.session.scene.lines();
+        QVERIFY(lines[1].a != lines[0].b);
+        hand.type("30\n");
+        QCOMPARE(hand.count(), std::size_t(3));
+        hand.click({100, 80});
+        hand.click({150, 80});
+        QCOMPARE(hand.count(), std::size_t(4));
+        QVERIFY(hand.lastLine().a != lines[2].b);
+    }
     void typingAfterwardsChangesWhatWasDrawn()
     {
         Hand hand("line");
