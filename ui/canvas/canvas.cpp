@@ -158,7 +158,10 @@ bool Canvas::hasCapsuleInBar() const
     const QObject* shown = parts_->controller.capsule();
     return capsuleHome() == app::CapsuleHome::InBar && shown;
 }
-void Canvas::setStrokeControls(QWidget& stroke) { parts_->ofObjects.setStroke(stroke); }
+void Canvas::setStyleControls(QWidget& style, std::function<void()> follow)
+{
+    parts_->ofObjects.setStyle(style, std::move(follow));
+}
 std::optional<QPoint> Canvas::onDrawing(const QPoint& position) const
 {
     for (const auto& pane : parts_->widgets) {

@@ -86,7 +86,7 @@ public:
     /// Whether capsules are on, and all their parts have room.
     bool hasWholeCapsule() const;
     /// The first controls in the capsule of selected objects, which a room above makes. Once.
-    void setStrokeControls(QWidget& stroke);
+    void setStyleControls(QWidget& style, std::function<void()> follow);
     /// Moves, rotates, scales or skews the selection by the pointer and by typed numbers.
     void transform(const app::Transformation& kind);
 

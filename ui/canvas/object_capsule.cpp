@@ -3,6 +3,7 @@
 
 #include "app/session/units.h"
 #include "app/session/window_words.h"
+#include "ui/canvas/text_row.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/canvas/window_overlay.h"
 #include "ui/look/text.h"
@@ -26,14 +27,16 @@ const app::SelectionNumber& infoOf(std::string_view key)
 } // namespace
 
 ObjectCapsule::ObjectCapsule(Controller& controller, QWidget* parent)
-    : Capsule(controller, parent), times_(quietLabel(QStringLiteral("×"))),
-      unit_(new UnitButton(controller.session()))
+    : Capsule(controller, parent), text_(new TextRow(controller.session())),
+      times_(quietLabel(QStringLiteral("×"))), unit_(new UnitButton(controller.session()))
 {
     setObjectName(QStringLiteral("object-capsule"));
     addNumber(ofLength, true);
     addNumber(ofWidth, true);
     addPart(*times_);
     addNumber(ofHeight, false);
+    addPart(*text_);
+    connect(text_, &TextRow::done, this, &ObjectCapsule::leave);
     unit_->setFocusPolicy(Qt::NoFocus); // Tab goes on to the angle
     addPart(*unit_);
     beforeAngle_ = addRule();
@@ -70,10 +73,11 @@ void ObjectCapsule::addNumber(std::string_view key, bool labelled)
     numbers_.push_back({&info, label, field});
 }
 
-void ObjectCapsule::setStroke(QWidget& stroke)
+void ObjectCapsule::setStyle(QWidget& style, std::function<void()> follow)
 {
     addRule(0);
-    addPart(stroke, 0);
+    addPart(style, 0);
+    followStyle_ = std::move(follow);
 }
 
 void ObjectCapsule::setForm(Form form)
@@ -81,6 +85,7 @@ void ObjectCapsule::setForm(Form form)
     form_ = form;
     unit_->setVisible(form == Form::Whole);
     beforeAngle_->setVisible(form == Form::Whole);
+    text_->setCompact(form == Form::Compact);
 }
 
 bool ObjectCapsule::isFor() const
@@ -103,11 +108,13 @@ void ObjectCapsule::showValues()
 {
     const app::Session& session = controller().session();
     setAccessibleName(app::chosenText(session, false));
-    const bool isLine = lineWithHandles(session).has_value();
-    times_->setVisible(!isLine);
+    if (followStyle_)
+        followStyle_();
+    const bool isLine = lineWithHandles(session).has_value(), isText = text_->follow();
+    times_->setVisible(!isLine && !isText);
     for (const auto& [info, label, field] : numbers_) {
-        const bool has =
-            info->key == ofAngle ? form_ == Form::Whole : (info->key == ofLength) == isLine;
+        const bool has = info->key == ofAngle ? form_ == Form::Whole
+                                              : !isText && (info->key == ofLength) == isLine;
         field->setVisible(has);
         if (label)
             label->setVisible(has);

@@ -6,20 +6,24 @@
 
 #include <QLabel>
 
+#include <functional>
+
 namespace ui {
 
+class TextRow;
 class UnitButton;
 
-/// The own controls of selected objects, with the tool Select: their stroke, width and height (of a
-/// single line its length), angle, and their menu.
+/// The own controls of selected objects, with the tool Select: their colours and stroke, width and
+/// height (of a single line its length, of texts their font and size), angle, and their menu.
 class ObjectCapsule : public Capsule {
     Q_OBJECT
 
 public:
     ObjectCapsule(Controller& controller, QWidget* parent);
 
-    /// The controls of the stroke, which come first: a room above makes them.
-    void setStroke(QWidget& stroke);
+    /// The controls of the style, which come first: a room above makes them. `follow` makes them
+    /// those of what is selected.
+    void setStyle(QWidget& style, std::function<void()> follow);
 
     void setForm(Form form) override;
 
@@ -40,6 +44,8 @@ private:
         LengthField* field;
     };
     std::vector<Number> numbers_;
+    std::function<void()> followStyle_{};
+    TextRow* text_;
     QLabel* times_;
     QWidget* beforeAngle_;
     UnitButton* unit_;

@@ -7,7 +7,6 @@
 #include "ui/canvas/eyedropper.h"
 #include "ui/look/text.h"
 #include "ui/widgets/colour_popup.h"
-#include "ui/widgets/swatch.h"
 
 namespace ui {
 
@@ -36,15 +35,30 @@ void ColourChoice::setPart(app::PaintPart part)
     follow();
 }
 
+void ColourChoice::setSwatch(Swatch form)
+{
+    swatch_ = form;
+    follow();
+}
+
+void ColourChoice::showEvent(QShowEvent* event)
+{
+    QToolButton::showEvent(event);
+    follow();
+}
+
 std::optional<std::optional<app::Colour>> ColourChoice::now() const
 {
     return app::common(app::shownStyles(session_), part_);
 }
 
+/// Asks nothing while it is hidden: there may be a million selected objects.
 void ColourChoice::follow()
 {
+    if (!isVisible())
+        return;
     const auto colour = now();
-    setIcon(colour ? swatchIcon(*colour) : mixedSwatchIcon());
+    setIcon(colour ? swatchIcon(*colour, swatch_) : mixedSwatchIcon());
     setText(!colour ? Text::tr("mixed") : *colour ? app::hexText(**colour) : Text::tr("none"));
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/session/selection_style.h"
 #include "ui/canvas/canvas.h"
+#include "ui/widgets/swatch.h"
 
 #include <QToolButton>
 
@@ -19,6 +20,7 @@ public:
     ColourChoice(app::Session& session, Canvas& canvas, app::PaintPart part);
 
     void setPart(app::PaintPart part);
+    void setSwatch(Swatch form);
     app::PaintPart part() const { return part_; }
     void choose(const std::optional<app::Colour>& colour);
     void startEyedropper(); ///< the next click on the canvas chooses
@@ -28,6 +30,9 @@ public:
 signals:
     void eyedropperStarted();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void open();
     void follow();
@@ -35,6 +40,7 @@ private:
     app::Session& session_;
     Canvas& canvas_;
     app::PaintPart part_;
+    Swatch swatch_ = Swatch::Square;
     ColourPopup* popup_;
 };
 

@@ -2,8 +2,10 @@
 #include "ui/style/stroke_row.h"
 
 #include "app/drawing/dash_patterns.h"
+#include "app/session/selected_texts.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
+#include "ui/tools/end_drag.h"
 #include "ui/widgets/elements.h"
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/length_field.h"
@@ -24,6 +26,8 @@ StrokeRow::StrokeRow(app::Session& session, Canvas& canvas, Frame frame, QWidget
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(space::labelToField);
     row->addWidget(colour_);
+    if (frame == Frame::Plain)
+        addFill();
     addWidth(frame);
     addDashes(frame);
     connect(&session, &app::Session::selectionChanged, this, [this] {
@@ -34,6 +38,23 @@ StrokeRow::StrokeRow(app::Session& session, Canvas& canvas, Frame frame, QWidget
     connect(&session, &app::Session::loaded, this, &StrokeRow::follow, Qt::QueuedConnection);
     connect(&session.document, &app::EditedDocument::changed, this, &StrokeRow::follow,
             Qt::QueuedConnection); // the selection may not be updated yet
+}
+
+void StrokeRow::addFill()
+{
+    fill_ = new ColourChoice(session_, canvas_, &app::Style::fill);
+    colour_->setSwatch(Swatch::Ring);
+    layout()->addWidget(fill_);
+}
+
+void StrokeRow::showParts()
+{
+    if (!fill_)
+        return;
+    const bool ofTexts = !app::selectedTexts(session_).empty();
+    fill_->setVisible(!lineWithHandles(session_));
+    width_->setVisible(!ofTexts);
+    dashes_->setVisible(!ofTexts);
 }
 
 void StrokeRow::addWidth(Frame frame)
@@ -88,6 +109,7 @@ void StrokeRow::follow()
 {
     if (!isVisible())
         return;
+    showParts();
     const std::vector<app::Style> styles = app::shownStyles(session_);
     const app::Unit unit = session_.display().unit;
     const double size = session_.now().page().millimetresPerUnit();

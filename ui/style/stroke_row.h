@@ -11,7 +11,8 @@ class LengthField;
 class ToolList;
 
 /// The colour, the width and the dashes of strokes: of the selected objects, else of what is drawn
-/// next.
+/// next. A plain one is for selected objects and has the parts that these have: the fill, but not
+/// of a single line; no width and dashes of texts.
 class StrokeRow : public QWidget {
     Q_OBJECT
 
@@ -22,11 +23,13 @@ public:
 
     LengthField& width() { return *width_; }
     ColourChoice& colour() { return *colour_; }
+    void showParts(); ///< those that the selected objects have
 
 protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void addFill();
     void addWidth(Frame frame);
     void addDashes(Frame frame);
     void follow();
@@ -34,6 +37,7 @@ private:
     app::Session& session_;
     Canvas& canvas_;
     ColourChoice* colour_;
+    ColourChoice* fill_ = nullptr; ///< null: it is not offered
     LengthField* width_;
     ToolList* dashes_;
 };

@@ -49,10 +49,12 @@ const QRect inIcon(1, 1, 14, 14);
 
 } // namespace
 
-QIcon swatchIcon(const std::optional<app::Colour>& colour)
+QIcon swatchIcon(const std::optional<app::Colour>& colour, Swatch form)
 {
-    return paintedIcon(iconSize, [colour](QPainter& painter, const Look& look) {
+    return paintedIcon(iconSize, [colour, form](QPainter& painter, const Look& look) {
         paintSwatch(painter, inIcon, colour, look);
+        if (form == Swatch::Ring && colour)
+            painter.fillRect(inIcon.adjusted(4, 4, -4, -4), look.base);
     });
 }
 

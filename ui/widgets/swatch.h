@@ -14,8 +14,11 @@ app::Colour plainColour(const QColor& colour);
 void paintSwatch(QPainter& painter, const QRect& square, const std::optional<app::Colour>& colour,
                  const Look& look);
 
+/// Ring: of a stroke, beside the square of a fill.
+enum class Swatch : std::uint8_t { Square, Ring };
+
 /// The same as an icon of 16 logical pixels.
-QIcon swatchIcon(const std::optional<app::Colour>& colour);
+QIcon swatchIcon(const std::optional<app::Colour>& colour, Swatch form = Swatch::Square);
 /// An icon for several colours.
 QIcon mixedSwatchIcon();
 

@@ -102,7 +102,8 @@ void MainWindow::addBars()
     addToolBar(Qt::TopToolBarArea, optionBar_);
     connect(optionBar_, &OptionBar::refused, strip_, &MessageStrip::refuse);
     connect(optionBar_, &OptionBar::taken, strip_, &MessageStrip::withdrawRefusal);
-    canvas_->setStrokeControls(*new StrokeRow(session_, *canvas_, StrokeRow::Frame::Plain));
+    auto* style = new StrokeRow(session_, *canvas_, StrokeRow::Frame::Plain);
+    canvas_->setStyleControls(*style, [style] { style->showParts(); });
     toolBar_ = new ToolBar(session_, *canvas_);
     addToolBar(Qt::LeftToolBarArea, toolBar_);
     auto* tabs = new WorkspaceTabs(*panelLayout_);

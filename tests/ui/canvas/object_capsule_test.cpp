@@ -2,6 +2,7 @@
 // The controls beside selected objects.
 #include "app/session/window_steps.h"
 #include "ui/canvas/object_capsule.h"
+#include "ui/widgets/font_list.h"
 #include "ui/widgets/length_field.h"
 
 #include <QLabel>
@@ -169,6 +170,39 @@ private slots:
         QTest::mouseClick(stage.canvas->findChild<QToolButton*>("object-capsule-more"),
                           Qt::LeftButton);
         QCOMPARE(wanted.size(), 1);
+    }
+    void aTextHasItsFontAndItsSize()
+    {
+        ObjectStage stage;
+        stage.canvas->setTool("text");
+        stage.click({20, 80});
+        QTest::keyClicks(QApplication::focusWidget(), "Clear");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        stage.canvas->setTool("select");
+        stage.session.select({2});
+        auto& size = stage.field("text-size");
+        auto& font = *stage.capsule().findChild<ui::FontList*>();
+        QVERIFY(size.isVisible() && font.isVisible());
+        QVERIFY(!stage.field("w").isVisible() && !stage.field("h").isVisible());
+        const auto text = [&] {
+            return std::get<app::TextRecipe>(
+                app::Recipe(stage.session.now().objects()[2].particulars().recipe));
+        };
+        QCOMPARE(font.font(), text().font);
+        stage.key(Qt::Key_Return);
+        QVERIFY(size.hasFocus());
+        QTest::keyClicks(&size, "7px");
+        QTest::keyClick(&size, Qt::Key_Return);
+        QVERIFY(stage.surface().hasFocus());
+        const double px = 25.4 / 96 / stage.session.now().page().millimetresPerUnit();
+        QVERIFY(std::abs(text().size - 7 * px) < 1e-9);
+        const QString before = text().font;
+        font.setFocus();
+        QTest::keyClick(&font, Qt::Key_Down);
+        QVERIFY(text().font != before);
+        QCOMPARE(font.font(), text().font);
+        stage.session.select({1});
+        QVERIFY(!size.isVisible() && !font.isVisible() && stage.field("w").isVisible());
     }
     void itIsSwitchedOff()
     {

@@ -65,6 +65,26 @@ private slots:
                 QCOMPARE(shown.width().value(), wide);
         }
     }
+    // A line has no area.
+    void theFillOfSelectedObjectsIsInTheirCapsule()
+    {
+        Rows rows;
+        const auto fills = [&](StrokeRow& row) {
+            QList<ColourChoice*> shown;
+            for (auto* colour : row.findChildren<ColourChoice*>())
+                if (colour->part() == &app::Style::fill && colour->isVisible())
+                    shown << colour;
+            return shown;
+        };
+        QVERIFY(fills(rows.bar()).empty());
+        rows.session().select({0});
+        QTRY_COMPARE(fills(rows.capsule()).size(), 1);
+        fills(rows.capsule()).front()->choose(app::Colour{200, 100, 50});
+        QCOMPARE(rows.session().now().objects()[0].style().fill, (app::Colour{200, 100, 50}));
+        rows.session().select({1});
+        QTRY_VERIFY(rows.capsule().isVisible() && fills(rows.capsule()).empty());
+        QVERIFY(rows.capsule().width().isVisible());
+    }
     // There is no room for the capsule: the bar has the stroke, and always the panel Style.
     void aNarrowCanvasHasTheStrokeInTheBar()
     {
