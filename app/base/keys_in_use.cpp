@@ -21,6 +21,11 @@ const KeysInUse& standardKeysInSentences()
     static const KeysInUse all{{"tool-select", "V"},
                                {"tool-nodes", "N"},
                                {"tool-window", "W"},
+                               {"window-adds", "+"},
+                               {"window-cuts-out", "-"},
+                               {"window-intersects", "*"},
+                               {"window-replaces", "="},
+                               {"keep-outside", "X"},
                                {"move", "G"},
                                {"rotate", "O"},
                                {"scale", "K"},
@@ -54,6 +59,8 @@ const KeysInUse& standardKeysInSentences()
 }
 
 void tellKeysInUse(const KeysInUse& keys) { keysNow() = keys; }
+
+QString keyInUse(const QString& command) { return keysNow().value(command); }
 
 QString withKeys(QString sentence)
 {

@@ -15,6 +15,9 @@ const KeysInUse& standardKeysInSentences();
 /// Tells the keys that the commands have from now on; before, they have the standard ones.
 void tellKeysInUse(const KeysInUse& keys);
 
+/// The first key of a command as a person reads it; empty: it has none.
+QString keyInUse(const QString& command);
+
 /// A sentence with the keys of the commands that it names: "Draw one first ({tool-window})." A
 /// command without a key leaves nothing in brackets, and a dash elsewhere. Names that a person gave
 /// are put in afterwards, or they would be read as those of commands: withKeys(text).arg(name).

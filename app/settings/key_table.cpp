@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace app {
 
@@ -88,11 +89,42 @@ void KeyTable::clear(std::size_t command)
         keys_[command].clear();
 }
 
-void KeyTable::reset(std::size_t command)
+std::vector<KeyMove> KeyTable::reset(std::size_t command)
 {
-    for (const QKeySequence& key : commands_[command].standard)
+    std::vector<KeyMove> moves;
+    for (const QKeySequence& key : commands_[command].standard) {
+        if (const auto other = holder(key, command))
+            moves.push_back({*other, key, true});
         take(key, command);
-    keys_[command] = commands_[command].standard;
+    }
+    const Keys given = std::exchange(keys_[command], commands_[command].standard);
+    for (const QKeySequence& key : given)
+        if (const auto owner = lacking(key)) {
+            keys_[*owner].push_back(key);
+            std::ranges::sort(keys_[*owner], {}, [&](const QKeySequence& each) {
+                return commands_[*owner].standard.indexOf(each);
+            });
+            moves.push_back({*owner, key, false});
+        }
+    return moves;
+}
+
+/// The command whose standard key this is while nothing has it. One that a person gave another key
+/// keeps that alone.
+std::optional<std::size_t> KeyTable::lacking(const QKeySequence& key) const
+{
+    const std::size_t none = commands_.size();
+    if (holder(key, none))
+        return std::nullopt;
+    const auto hasOnlyStandard = [this](std::size_t i) {
+        return std::ranges::all_of(keys_[i], [&](const QKeySequence& each) {
+            return commands_[i].standard.contains(each);
+        });
+    };
+    for (std::size_t i = 0; i < none; ++i)
+        if (commands_[i].standard.contains(key) && hasOnlyStandard(i))
+            return i;
+    return std::nullopt;
 }
 
 void KeyTable::reset()

@@ -13,13 +13,21 @@ namespace app {
 /// A command that keys can be given to.
 struct KeyedCommand {
     /// Where its keys work: everywhere; only while the canvas has the focus, so that letters can be
-    /// typed in fields; or they cannot be changed, because the canvas itself understands them.
-    enum class Scope : std::uint8_t { Everywhere, Canvas, Fixed };
+    /// typed in fields; only there while a clip window is chosen, so that signs begin numbers
+    /// otherwise; or they cannot be changed.
+    enum class Scope : std::uint8_t { Everywhere, Canvas, ChosenWindow, Fixed };
     QString key;  ///< its permanent name; empty: something else that keys belong to
     QString name; ///< as a person reads it
     QString menu; ///< in which it is
     Scope scope = Scope::Everywhere;
     QList<QKeySequence> standard; ///< its keys unless the person gives it others
+};
+
+/// A key that a command has got, or lost.
+struct KeyMove {
+    std::size_t command;
+    QKeySequence key;
+    bool isLost;
 };
 
 /// Which keys every command has: the standard ones, and those that the person gave. No key belongs
@@ -45,8 +53,10 @@ public:
     /// Makes this its only key, and takes it from the one that has it. Nothing if it is refused.
     void give(std::size_t command, const QKeySequence& key);
     void clear(std::size_t command); ///< leaves it without keys
-    /// Gives it its standard keys, and takes them from those that have them.
-    void reset(std::size_t command);
+    /// Gives it its standard keys, and takes them from those that have them. The keys that it had
+    /// taken go back to the commands whose standard keys they are. The other commands that have
+    /// got or lost keys.
+    std::vector<KeyMove> reset(std::size_t command);
     void reset(); ///< all commands
 
     /// The commands with other keys than the standard ones: name and keys of each, between tabs.
@@ -59,6 +69,7 @@ private:
     bool read(const QString& entry);
     void take(const QKeySequence& key, std::size_t besides);
     std::optional<std::size_t> find(const QString& key) const;
+    std::optional<std::size_t> lacking(const QKeySequence& key) const;
 
     std::vector<KeyedCommand> commands_;
     std::vector<Keys> keys_;

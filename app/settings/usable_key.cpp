@@ -70,7 +70,7 @@ QString whyNoShortcut(const QKeySequence& sequence, KeyedCommand::Scope scope)
         return Text::tr("%1 begins a number on the canvas and cannot be changed.").arg(name);
     if (scope == KeyedCommand::Scope::Canvas && alone && isOneOf(beginPoint, key))
         return Text::tr("%1 begins a point on the canvas and cannot be changed.").arg(name);
-    if (scope != KeyedCommand::Scope::Canvas && alone && (types(key) || isOf(editing, key)))
+    if (scope == KeyedCommand::Scope::Everywhere && alone && (types(key) || isOf(editing, key)))
         return Text::tr("%1 is needed in fields. Add Ctrl or Alt.").arg(name);
     return {};
 }

@@ -97,7 +97,10 @@ void Canvas::setSnapping(app::SnapTo to) { parts_->controller.held().setSnapping
 bool Canvas::snaps() const { return parts_->controller.held().snaps(); }
 void Canvas::switchSnapping(bool on) { parts_->controller.held().setSnapping(snapping(), on); }
 bool Canvas::actsOnWindow() const { return parts_->controller.actsOnWindow(); }
-void Canvas::leaveKeysToCommands() { parts_->controller.leaveKeysToCommands(); }
+void Canvas::leaveKeysToCommands(const QHash<QString, QList<QKeySequence>>& own)
+{
+    parts_->controller.leaveKeysToCommands(own);
+}
 
 app::CapsuleHome Canvas::capsuleHome() const { return parts_->capsuleHome; }
 std::optional<app::Numbers> Canvas::keptNumbers(std::string_view tool) const

@@ -49,8 +49,9 @@ public:
     std::string_view tool() const;
     QString toolHint() const;       ///< the tool's current hint
     app::DigitUse digitUse() const; ///< what a digit does now
-    void leaveKeysToCommands();     ///< those of tools and views
-    bool digitsChoose() const;      ///< whether digits choose the algorithm, outside gestures
+    /// Those of tools and views. `own`: the keys of all commands, for those that it understands.
+    void leaveKeysToCommands(const QHash<QString, QList<QKeySequence>>& own);
+    bool digitsChoose() const; ///< whether digits choose the algorithm, outside gestures
 
     /// Undo or redo one step: a corner of the polyline being drawn, else a step of the history.
     bool canUndo() const;

@@ -93,10 +93,8 @@ bool toolKey(const QKeyEvent& event, Controller& controller)
 
 bool transformKey(const QKeyEvent& event, Controller& controller)
 {
-    if (!isPlain(event))
-        return false;
     for (const app::Transformation& kind : app::transformations())
-        if (event.key() == kind.letter.unicode()) {
+        if (controller.keys().isOf(event, kind.key, QKeySequence(QString(kind.letter)))) {
             controller.transform(kind);
             return true;
         }
@@ -107,21 +105,21 @@ bool transformKey(const QKeyEvent& event, Controller& controller)
 bool windowKey(const QKeyEvent& event, Controller& controller)
 {
     app::Session& session = controller.session();
-    const bool commands = event.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
-    if (commands || controller.gestureGoes() || !controller.actsOnWindow())
+    if (controller.gestureGoes() || !controller.actsOnWindow())
         return false;
     for (const app::WindowOperationInfo& each : app::windowOperations())
-        if (event.text() == each.letter) {
+        if (controller.keys().isOf(event, each.key, QKeySequence(each.letter))) {
             app::setWindowOperation(session, *session.windowNumber(), each.operation);
             return true;
         }
-    if (event.key() == Qt::Key_X) {
+    if (controller.keys().isOf(event, keepOutside, QKeySequence(Qt::Key_X))) {
         keepOtherSide(session);
         return true;
     }
     // With this tool only: Esc leaves it, and Tab moves the focus again.
     const bool forth = event.key() == Qt::Key_Tab, back = event.key() == Qt::Key_Backtab;
-    return (forth || back) && controller.toolInfo().key == "window"
+    const bool commands = event.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
+    return (forth || back) && !commands && controller.toolInfo().key == "window"
            && app::chooseNeighbour(session, forth ? 1 : -1);
 }
 

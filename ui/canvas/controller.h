@@ -4,6 +4,7 @@
 #include "app/session/digits.h"
 #include "ui/canvas/frames.h"
 #include "ui/canvas/gesture_steps.h"
+#include "ui/canvas/own_keys.h"
 #include "ui/canvas/pointing.h"
 
 namespace ui {
@@ -55,9 +56,15 @@ public:
     /// digitsChoose() allows: the canvas takes the digits of a gesture before.
     app::DigitUse digitUse() const { return app::digitUse(digitPlace()); }
     bool digitsChoose() const; ///< outside gestures
-    /// Tools and views have keys by commands, which the person may change.
-    void leaveKeysToCommands() { leavesKeys_ = true; }
+    /// Tools and views have keys by commands, which the person may change; `own` are those of
+    /// commands that the canvas itself understands.
+    void leaveKeysToCommands(const OwnKeys::Keys& own)
+    {
+        leavesKeys_ = true;
+        keys_.tell(own);
+    }
     bool leavesKeys() const { return leavesKeys_; }
+    const OwnKeys& keys() const { return keys_; }
 
     /// Handles an event of a widget that shows the drawing; true if the event was consumed.
     bool handle(QEvent& event);
@@ -95,6 +102,7 @@ private:
     const QObject* capsule_ = nullptr;
     QRectF capsulePlace_;
     bool leavesKeys_ = false;
+    OwnKeys keys_;
     std::pair<QString, app::DigitUse> told_{}; ///< the hint and what a digit does
     app::ObjectRanges inspectedSelection_;     ///< the last one that inspectOnly() has seen
 };

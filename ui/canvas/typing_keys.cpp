@@ -35,8 +35,8 @@ bool beginsTyping(const QKeyEvent& event, const Controller& controller)
     const bool point = busy || points == app::GestureMeasure::Points::Absolute;
     const QString first = firstTyped(event, point);
     // A sign says what the chosen clip window does, where digits choose its algorithm.
-    const bool sign = first == u"+" || first == u"-";
-    const bool forWindow = sign && controller.actsOnWindow() && !goes;
+    const bool forWindow =
+        !goes && controller.actsOnWindow() && controller.keys().isOfWindow(event);
     return !first.isEmpty() && !forWindow
            && (!first.front().isDigit() || controller.digitUse() == app::DigitUse::Number);
 }

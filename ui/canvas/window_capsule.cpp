@@ -6,6 +6,7 @@
 #include "app/session/window_words.h"
 #include "ui/canvas/window_overlay.h"
 #include "ui/canvas/window_tags.h"
+#include "ui/look/key_tip.h"
 #include "ui/look/text.h"
 #include "ui/widgets/buttons.h"
 #include "ui/widgets/length_field.h"
@@ -21,21 +22,19 @@ namespace {
 
 QString tipOf(const app::WindowOperationInfo& operation)
 {
-    return Text::tr("%1 (%2)").arg(operation.tip, operation.letter);
+    return app::withKeys(operation.tip + QStringLiteral(" ({%1})").arg(app::latin(operation.key)));
 }
 
 Segments* operationSegments()
 {
-    QStringList names, tips;
+    QStringList names;
     std::vector<std::string_view> icons;
     for (const app::WindowOperationInfo& each : app::windowOperations()) {
         names << each.name;
-        tips << tipOf(each);
         icons.push_back(each.icon);
     }
     auto* segments = new Segments(Text::tr("What the window does"), names);
     segments->setIcons(icons);
-    segments->setTips(tips);
     segments->setObjectName(QStringLiteral("capsule-operation"));
     return segments;
 }
@@ -49,6 +48,7 @@ WindowCapsule::WindowCapsule(Controller& controller, QWidget* parent)
       unit_(new UnitButton(controller.session()))
 {
     setObjectName(QStringLiteral("capsule"));
+    followKeys(*this, [this] { showTips(); });
     for (QWidget* part :
          {static_cast<QWidget*>(operation_), static_cast<QWidget*>(operations_),
           static_cast<QWidget*>(width_), static_cast<QWidget*>(quietLabel(QStringLiteral("×"))),
@@ -56,6 +56,17 @@ WindowCapsule::WindowCapsule(Controller& controller, QWidget* parent)
         addPart(*part);
     addMore(Text::tr("More commands for the clip window"));
     connect(operation_, &Segments::picked, this, &WindowCapsule::setOperation);
+}
+
+/// They name keys, which the person may change.
+void WindowCapsule::showTips()
+{
+    QStringList tips;
+    for (const app::WindowOperationInfo& each : app::windowOperations()) {
+        operationChoice_->actions().at(tips.size())->setText(tipOf(each));
+        tips << tipOf(each);
+    }
+    operation_->setTips(tips);
 }
 
 QToolButton* WindowCapsule::makeOperations()
@@ -67,7 +78,7 @@ QToolButton* WindowCapsule::makeOperations()
     auto* menu = new QMenu(button);
     menu->setToolTipsVisible(true);
     for (const app::WindowOperationInfo& each : app::windowOperations()) {
-        QAction* action = menu->addAction(icon(each.icon), tipOf(each));
+        QAction* action = menu->addAction(icon(each.icon), QString());
         action->setCheckable(true);
         action->setData(int(operationChoice_->actions().size()));
         operationChoice_->addAction(action);

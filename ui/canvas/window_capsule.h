@@ -31,6 +31,7 @@ protected:
     QColor ringColour() const override;
 
 private:
+    void showTips();
     QToolButton* makeOperations();
     LengthField* makeSide(app::WindowValue which);
     void setOperation(int operation);

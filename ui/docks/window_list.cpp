@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/window_list.h"
 
+#include "app/base/keys_in_use.h"
+#include "app/base/text.h"
 #include "app/document/window_operations.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
@@ -218,7 +220,7 @@ void WindowList::openOperations(const QModelIndex& row)
     const int now = row.data(WindowModel::OperationRole).toInt();
     for (const app::WindowOperationInfo& each : app::windowOperations()) {
         QAction* action = menu->addAction(
-            icon(each.icon), each.name + QLatin1Char('\t') + each.letter,
+            icon(each.icon), each.name + QLatin1Char('\t') + app::keyInUse(app::latin(each.key)),
             [this, operation = each.operation, index = QPersistentModelIndex(row)] {
                 if (index.isValid())
                     app::setWindowOperation(session_, std::size_t(index.row()), operation);

@@ -2,7 +2,6 @@
 #include "ui/sheets/command_keys.h"
 
 #include "app/base/text.h"
-#include "app/drawing/transformation.h"
 #include "ui/files/files.h"
 #include "ui/look/key_tip.h"
 #include "ui/look/text.h"
@@ -15,8 +14,6 @@
 #include <QMenuBar>
 #include <QPointer>
 #include <QSettings>
-
-#include <algorithm>
 
 namespace ui {
 
@@ -35,11 +32,7 @@ QString keyOf(const QAction& action)
 app::KeyedCommand::Scope scopeOf(const QAction& action)
 {
     using enum app::KeyedCommand::Scope;
-    // Transformations begin in the middle of a gesture, where only the canvas understands them.
-    const bool transforms = std::ranges::any_of(app::transformations(), [&](const auto& kind) {
-        return action.objectName() == app::latin(kind.key);
-    });
-    return transforms || action.shortcutContext() == Qt::WidgetShortcut ? Fixed
+    return action.shortcutContext() == Qt::WidgetShortcut               ? ChosenWindow
            : action.shortcutContext() == Qt::WidgetWithChildrenShortcut ? Canvas
                                                                         : Everywhere;
 }
@@ -89,7 +82,6 @@ CommandKeys::CommandKeys(MainWindow& window) : QObject(&window), window_(window)
     actions_ = std::move(all.actions);
     table_ = app::KeyTable(std::move(all.rows), QSettings().value("shortcuts").toStringList());
     apply();
-    window.canvas().leaveKeysToCommands();
 }
 
 void CommandKeys::reread()
@@ -139,10 +131,14 @@ void CommandKeys::apply()
         if (actions_[i] && actions_[i]->shortcuts() != table_.keys(i))
             actions_[i]->setShortcuts(table_.keys(i));
     app::KeysInUse keys;
-    for (std::size_t i = 0; i < actions_.size(); ++i)
+    QHash<QString, QList<QKeySequence>> all;
+    for (std::size_t i = 0; i < actions_.size(); ++i) {
+        all[table_.commands()[i].key] = table_.keys(i);
         if (!table_.keys(i).isEmpty())
             keys[table_.commands()[i].key] =
                 table_.keys(i).front().toString(QKeySequence::NativeText);
+    }
+    window_.canvas().leaveKeysToCommands(all);
     KeyNews::get().tell(keys);
     window_.refreshActions(); // their reasons name keys
 }

@@ -21,8 +21,7 @@ bool hasAll(const QString& text, const QStringList& words)
 KeyModel::Row KeyModel::rowFor(const app::KeyTable& table, std::size_t command)
 {
     const app::KeyedCommand& info = table.commands()[command];
-    return {command, info.name, app::keysText(table.keys(command)), !table.isStandard(command),
-            info.scope == app::KeyedCommand::Scope::Fixed};
+    return {command, info.name, app::keysText(table.keys(command)), !table.isStandard(command)};
 }
 
 void KeyModel::show(const app::KeyTable& table, const QString& words)
@@ -70,8 +69,6 @@ QVariant KeyModel::cell(int row, int column, int role) const
         return column == 0 ? shown.name : shown.keys;
     if (role == Qt::AccessibleTextRole && column == 0)
         return shown.keys.isEmpty() ? shown.name : Text::tr("%1: %2").arg(shown.name, shown.keys);
-    if (role == Qt::ToolTipRole && shown.isFixed)
-        return Text::tr("The canvas itself understands this key. It cannot be changed.");
     if (role == Qt::FontRole && (!shown.command || (column == 1 && shown.isOwn)))
         return semiBold(QFont());
     if (role == Qt::TextAlignmentRole)

@@ -33,7 +33,6 @@ private:
         std::optional<std::size_t> command;
         QString name, keys;
         bool isOwn = false; ///< the person gave these keys
-        bool isFixed = false;
     };
     static Row rowFor(const app::KeyTable& table, std::size_t command);
 

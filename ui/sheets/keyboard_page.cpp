@@ -20,8 +20,7 @@ namespace {
 
 constexpr int leastTableHeight = 240, keysWidth = 150; // pixels
 
-/// The name of a menu is bold, and keys that the person gave; a key that cannot be changed is
-/// muted.
+/// The name of a menu is bold, and keys that the person gave.
 class KeyCells : public QStyledItemDelegate {
 public:
     explicit KeyCells(DenseTable& table) : QStyledItemDelegate(&table), table_(table) {}
@@ -33,9 +32,8 @@ public:
         table_.paintGround(*painter, option, index);
         const bool isBold = index.data(Qt::FontRole).isValid();
         const QFont font = isBold ? semiBold(option.font) : option.font;
-        const bool isFixed = index.data(Qt::ToolTipRole).isValid();
         painter->setFont(font);
-        painter->setPen(isFixed ? look.muted : look.text);
+        painter->setPen(look.text);
         const QRect place = option.rect.adjusted(
             index.column() == 0 ? space::dockMargin : DenseTable::gap, 0, -DenseTable::gap, 0);
         painter->drawText(
@@ -200,8 +198,13 @@ void KeyboardPage::resetChosen()
 {
     if (!chosen_)
         return;
-    keys_.change([this](app::KeyTable& all) { all.reset(*chosen_); });
-    answer({}, false);
+    QStringList said;
+    keys_.change([&](app::KeyTable& all) {
+        for (const auto& [command, key, isLost] : all.reset(*chosen_))
+            said << (isLost ? Text::tr("“%1” no longer has %2.") : Text::tr("“%1” has %2 again."))
+                        .arg(all.commands()[command].name, key.toString(QKeySequence::NativeText));
+    });
+    answer(said.join(u' '), false);
 }
 
 void KeyboardPage::reset()
@@ -226,19 +229,14 @@ void KeyboardPage::follow()
 {
     const app::KeyTable& table = keys_.table();
     model_.tellKeys(table);
-    const bool isFixed =
-        chosen_ && table.commands()[*chosen_].scope == app::KeyedCommand::Scope::Fixed;
-    const bool can = chosen_ && !isFixed;
     const QString keys = chosen_ ? app::keysText(table.keys(*chosen_)) : QString();
     name_->setText(!chosen_ ? Text::tr("Choose a command")
                    : keys.isEmpty()
                        ? Text::tr("%1: no key").arg(table.commands()[*chosen_].name)
                        : Text::tr("%1: %2").arg(table.commands()[*chosen_].name, keys));
-    field_->setEnabled(can);
-    remove_->setEnabled(can && !table.keys(*chosen_).isEmpty());
-    reset_->setEnabled(can && !table.isStandard(*chosen_));
-    if (isFixed)
-        answer(Text::tr("The canvas itself understands this key. It cannot be changed."), false);
+    field_->setEnabled(chosen_.has_value());
+    remove_->setEnabled(chosen_ && !table.keys(*chosen_).isEmpty());
+    reset_->setEnabled(chosen_ && !table.isStandard(*chosen_));
 }
 
 } // namespace ui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/settings/key_table.h"
+#include "app/settings/usable_key.h"
 
 #include <random>
 
@@ -58,9 +58,32 @@ private slots:
         const KeyTable again(commands(), table.saved());
         QCOMPARE(again.keys(Save), table.keys(Save));
         QCOMPARE(again.keys(Quit), table.keys(Quit));
-        table.reset(Save); // takes it back
+        const auto moves = table.reset(Save); // takes it back
         QCOMPARE(table.keys(Save), commands()[Save].standard);
         QCOMPARE(table.keys(Quit), Keys());
+        QCOMPARE(moves.size(), std::size_t(1));
+        QVERIFY(moves[0].command == Quit && moves[0].key == K("F12") && moves[0].isLost);
+    }
+
+    void aResetGivesTakenKeysBack()
+    {
+        KeyTable table(commands());
+        table.give(Quit, K("Ctrl+S"));
+        auto moves = table.reset(Quit);
+        QCOMPARE(table.keys(Save), commands()[Save].standard); // in their order
+        QVERIFY(table.isStandard());
+        QCOMPARE(moves.size(), std::size_t(1));
+        QVERIFY(moves[0].command == Save && moves[0].key == K("Ctrl+S") && !moves[0].isLost);
+        table.give(Quit, K("Ctrl+S"));
+        table.give(Save, K("F6")); // its only key
+        moves = table.reset(Quit);
+        QVERIFY(moves.empty());
+        QCOMPARE(table.keys(Save), Keys{K("F6")});
+        table.give(Save, K("Ctrl+Q"));
+        table.give(Quit, K("Ctrl+S"));
+        moves = table.reset(Save); // they were exchanged
+        QCOMPARE(moves.size(), std::size_t(2));
+        QVERIFY(table.isStandard());
     }
 
     void keysAreExchangedAndRemoved()
@@ -132,6 +155,15 @@ private slots:
         }
         for (const char* key : {"Ctrl+B", "Alt+Del", "F5", "Ctrl+1", "Ctrl+Shift+Return"})
             QVERIFY2(table.refusal(Save, K(key)).isEmpty(), key);
+    }
+
+    // Signs begin numbers, but not while a clip window is chosen.
+    void aChosenWindowMayHaveSigns()
+    {
+        for (const char* key : {"+", "-", "*", "=", ".", "B", "#"})
+            QVERIFY2(whyNoShortcut(K(key), Scope::ChosenWindow).isEmpty(), key);
+        for (const QKeySequence& key : {K("3"), K(Qt::Key_Escape), K(Qt::Key_Left)})
+            QVERIFY(!whyNoShortcut(key, Scope::ChosenWindow).isEmpty());
     }
 
     void whatIsWrongInTheSettingsIsIgnored_data()

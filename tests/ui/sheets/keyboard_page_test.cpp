@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/keys_in_use.h"
+#include "app/session/window_steps.h"
 #include "ui/sheets/command_keys.h"
 #include "ui/sheets/key_field.h"
 #include "ui/sheets/key_model.h"
@@ -97,7 +98,8 @@ private slots:
     {
         const Page page;
         for (std::size_t i = 0; i < page.keys().commands().size(); ++i)
-            if (page.keys().commands()[i].scope == app::KeyedCommand::Scope::Canvas)
+            if (page.keys().commands()[i].scope == app::KeyedCommand::Scope::Canvas
+                || page.keys().commands()[i].scope == app::KeyedCommand::Scope::ChosenWindow)
                 for (const K& key : page.keys().commands()[i].standard) {
                     const QString why = page.keys().refusal(i, key);
                     QVERIFY2(why.isEmpty(), qPrintable(why));
@@ -188,16 +190,77 @@ private slots:
         QVERIFY(page.answer().contains("the menu File"));
     }
 
-    void keysOfTheCanvasItselfAreListedAndStay()
+    void theKeysOfAChosenWindowAreChanged()
     {
         const Page page;
+        MainWindow& window = *page.t.window;
+        app::Session& session = window.session();
+        for (const double at : {10.0, 20.0})
+            app::addWindow(session, {.shape = app::RectangleShape{{{at, at}, {at + 30, at + 30}}}});
+        page.choose("window-cuts-out");
+        page.press(Qt::Key_Slash);
         page.choose("keep-outside");
-        QVERIFY(!page.part<KeyField>("new-key")->isEnabled());
-        QVERIFY(page.answer().contains("canvas itself"));
-        page.choose("tool-line");
-        page.press(Qt::Key_X);
-        QVERIFY(page.answer().contains("“Keep outside”"));
-        QCOMPARE(page.keysOf("tool-line"), Keys{K("L")});
+        page.press(Qt::Key_M, Qt::ControlModifier);
+        window.closeSheet();
+        window.canvas().setTool("window");
+        session.chooseWindow(session.windows().list.size() - 1);
+        window.canvas().setFocus();
+        const auto operation = [&] { return session.windows().list.back().operation; };
+        QTest::keyClick(page.t.drawingArea(), Qt::Key_Minus);
+        QTest::keyClick(window.focusWidget(), Qt::Key_Escape); // what it may have begun
+        QCOMPARE(operation(), app::WindowOperation::Add);
+        session.chooseWindow(session.windows().list.size() - 1);
+        QTest::keyClick(page.t.drawingArea(), Qt::Key_Slash);
+        QCOMPARE(operation(), app::WindowOperation::CutOut);
+        QTest::keyClick(page.t.drawingArea(), Qt::Key_M, Qt::ControlModifier);
+        QCOMPARE(session.now().windows().keep, app::Keep::Outside);
+        QStringList tips;
+        for (const auto* button : window.canvas().findChildren<QToolButton*>())
+            tips << button->toolTip();
+        QVERIFY(tips.contains("Cut the window out of those above it (/)"));
+    }
+
+    /// Also in the middle of a gesture, where its command is not enabled.
+    void theKeyOfATransformationIsChanged()
+    {
+        const Page page;
+        MainWindow& window = *page.t.window;
+        page.choose("move");
+        page.press(Qt::Key_M);
+        window.closeSheet();
+        page.t.run("workspace-draw"); // digits are numbers
+        window.canvas().setFocus();
+        window.session().select({0});
+        QTest::keyClick(page.t.drawingArea(), Qt::Key_M);
+        QTest::keyClick(window.focusWidget(), '7');
+        QTest::keyClick(window.focusWidget(), Qt::Key_Return);
+        QCOMPARE(window.session().history.count(), 1);
+        window.session().select({});
+        QTest::keyClick(page.t.drawingArea(), Qt::Key_G);
+        QVERIFY(!window.canvas().pendingObject());
+        window.canvas().setTool("polyline");
+        for (const QPoint at : {QPoint(60, 60), QPoint(160, 90)})
+            QTest::mouseClick(page.t.drawingArea(), Qt::LeftButton, {}, at);
+        QTest::keyClick(page.t.drawingArea(), Qt::Key_M); // ends it, and moves it
+        QCOMPARE(window.session().history.count(), 2);
+        QVERIFY(window.canvas().tool() == "select");
+    }
+
+    void aResetSaysWhichCommandsHaveTheirKeysAgain()
+    {
+        const Page page;
+        page.choose("crop");
+        page.press(Qt::Key_Z, Qt::ControlModifier);
+        page.click("take-key");
+        page.click("reset-keys");
+        QVERIFY(page.keys().isStandard());
+        QCOMPARE(page.answer(), QStringLiteral("“Undo” has Ctrl+Z again."));
+        page.choose("split");
+        page.press(Qt::Key_Z, Qt::ControlModifier);
+        page.click("take-key");
+        page.choose("undo");
+        page.click("reset-keys");
+        QCOMPARE(page.answer(), QStringLiteral("“Split at windows” no longer has Ctrl+Z."));
     }
 
     void keysAreRemovedAndReset()
