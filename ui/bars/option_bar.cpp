@@ -76,9 +76,10 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addGroup([&] { addWidget(new WindowOptions(session_, canvas_)); },
              [this] { return has(ToolInfo::Options::Window); });
     addCapsule();
+    const auto draws = [this] { return has(ToolInfo::Options::Stroke); };
     addGroup([this] { addStroke(); },
-             [this] { return drawsOrRests() || (arranges() && !canvas_.hasWholeCapsule()); });
-    addGroup([this] { addStyle(); }, [this] { return drawsOrRests() || arranges(); });
+             [this, draws] { return draws() || (arranges() && !canvas_.hasWholeCapsule()); });
+    addGroup([this] { addStyle(); }, [this, draws] { return draws() || arranges(); });
     addGroup([this] { addWidget(arranging_); }, [this] { return arranges(); }, 7);
     addGroup([this] { addWidget(nodes_); }, [this] { return has(ToolInfo::Options::Nodes); });
     addGroup([this] { addWidget(view_); }, [this] { return has(ToolInfo::Options::View); });

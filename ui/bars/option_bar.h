@@ -21,14 +21,15 @@ class ShapeOptions;
 class StrokeRow;
 class StylePopup;
 
-/// The bar across the top: undo and redo, the tool in hand, and what belongs to it. While something
-/// is drawn, or nothing is selected: the stroke, and while there is a window how the removed part
-/// is shown. With selected objects what arranges them; their stroke is in their capsule. With the
-/// tools Nodes and Clip window their options, with Hand and Zoom what fits the view. What is chosen
-/// may have its capsule here. Panes if they are offered or there are several. At the right
-/// snapping, grid and export, always at the same place. If it is narrow, it drops captions, then
-/// the tool's name, the removed part and what arranging refers to, some parts of the capsule, the
-/// grid's spacing, the export button's text, and last what arranges: the menu has that, too.
+/// The bar across the top: undo and redo, the tool in hand, and what belongs to it. With a tool
+/// that draws the stroke. With it, or while nothing is selected, and while there is a window, how
+/// the removed part is shown. With selected objects what arranges them; their stroke is in their
+/// capsule. With the tools Nodes and Clip window their options, with Hand and Zoom what fits the
+/// view. What is chosen may have its capsule here. Panes if they are offered or there are several.
+/// At the right snapping, grid and export, always at the same place. If it is narrow, it drops
+/// captions, then the tool's name, the removed part and what arranging refers to, some parts of
+/// the capsule, the grid's spacing, the export button's text, and last what arranges: the menu has
+/// that, too.
 class OptionBar : public QToolBar {
     Q_OBJECT
 

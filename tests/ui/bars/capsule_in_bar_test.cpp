@@ -100,7 +100,10 @@ private slots:
         };
         QTRY_COMPARE(shown("Stroke width"), 1);
         d.session.select({});
+        QTRY_COMPARE(shown("Stroke width"), 0); // the panel Style has it
+        d.canvas.setTool("line");
         QTRY_COMPARE(shown("Stroke width"), 1);
+        d.canvas.setTool("select");
         d.session.chooseWindow(0);
         QTRY_COMPARE(shown("Stroke width"), 0);
         QCOMPARE(shown("Keep"), 0); // it is that of all windows: their panel has it

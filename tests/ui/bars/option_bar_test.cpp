@@ -64,8 +64,7 @@ private slots:
             bar.t.window->canvas().setTool(info.key);
             QCOMPARE(tool->text(), info.name);
             const bool isView = info.key == "hand" || info.key == "zoom";
-            const bool draws = !isView && info.key != "nodes" && info.key != "window";
-            QTRY_COMPARE(shows("style"), draws); // the stroke
+            QTRY_COMPARE(shows("style"), info.draws()); // the stroke
             QTRY_COMPARE(shows("window-shapes"), info.key == "window");
             QTRY_COMPARE(buttonsOf("fit-page"), int(isView));
         }

@@ -121,6 +121,7 @@ private slots:
     void presentingCutsNoField()
     {
         Window w({1280, 800});
+        w.window->canvas().setTool("line"); // has the field of the stroke
         const int before = w.hint->fontMetrics().height();
         w.run("presentation");
         QTRY_VERIFY(w.hint->fontMetrics().height() > before);

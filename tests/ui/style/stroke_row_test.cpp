@@ -44,7 +44,7 @@ private slots:
     void theStrokeOfSelectedObjectsIsInTheirCapsule()
     {
         Rows rows;
-        QVERIFY(rows.bar().isVisible() && !rows.capsule().isVisible());
+        QVERIFY(!rows.bar().isVisible() && !rows.capsule().isVisible());
         rows.session().select({0});
         QTRY_VERIFY(!rows.bar().isVisible() && rows.capsule().isVisible());
         rows.window->canvas().setCapsuleHome(app::CapsuleHome::Off);
@@ -55,6 +55,7 @@ private slots:
         Rows rows;
         for (const app::ObjectRanges& selection :
              {app::ObjectRanges({0}), app::ObjectRanges({0, 1}), app::ObjectRanges()}) {
+            rows.window->canvas().setTool(selection.empty() ? "line" : "select");
             rows.session().select(selection);
             StrokeRow& shown = selection.empty() ? rows.bar() : rows.capsule();
             QTRY_VERIFY(shown.isVisible());

@@ -67,7 +67,7 @@ private slots:
         auto* shapes = d.t.window->findChild<QWidget*>("window-shapes");
         auto* style = d.t.window->findChild<ui::OptionBar*>()->findChild<QWidget*>("style");
         QTRY_VERIFY(shapes->isVisible() && !style->isVisible());
-        d.key(Qt::Key_V);
+        d.key(Qt::Key_L);
         QTRY_VERIFY(!shapes->isVisible() && style->isVisible());
     }
     void aDragBesideTheWindowsAddsOne()
