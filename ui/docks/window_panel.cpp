@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/window_panel.h"
 
+#include "app/base/keys_in_use.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "ui/docks/window_add_menu.h"
@@ -67,8 +68,12 @@ QWidget* WindowPanel::makeList()
 QWidget* WindowPanel::makeKeep()
 {
     keep_->setObjectName(QStringLiteral("keep"));
-    keep_->setTips({Text::tr("Keep what lies inside all windows together (X: the other side)"),
-                    Text::tr("Keep what lies outside all windows together (X: the other side)")});
+    followKeys(*keep_, [this] {
+        keep_->setTips({app::withKeys(Text::tr("Keep what lies inside all windows together "
+                                               "({keep-outside}: the other side)")),
+                        app::withKeys(Text::tr("Keep what lies outside all windows together "
+                                               "({keep-outside}: the other side)"))});
+    });
     connect(keep_, &Segments::picked, this, [this](int side) {
         setKeep(session_, app::Keep(side));
         emit entered();
