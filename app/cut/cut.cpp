@@ -3,6 +3,7 @@
 
 #include "app/base/progress.h"
 #include "app/cut/curved_border.h"
+#include "app/cut/cut_each.h"
 #include "app/cut/cut_edit.h"
 #include "app/cut/line_clipping.h"
 
@@ -87,29 +88,28 @@ CutOptions withTolerance(CutOptions options, const Page& page)
 }
 
 /// With the border's windows as polygons, divided where the drawing's lines and curves end on it.
-CutOptions dividedAt(CurvedBorder& border, const Document& document, CutOptions options,
-                     const std::stop_token& stop)
+CutOptions dividedAt(CurvedBorder& border, const Objects& objects, const Page& page,
+                     CutOptions options, const std::stop_token& stop)
 {
-    border.divideFor(document.objects(), options.tolerance, stop);
-    return atPolygons(std::move(options), border, document.page());
+    border.divideFor(objects, options.tolerance, stop);
+    return atPolygons(std::move(options), border, page);
 }
 
+/// Cuts objects, and tells an edit (CutEdit, or one with its functions) what becomes of each.
+template <class SomeEdit>
 class Cutter {
 public:
-    Cutter(const Document& document, const CutOptions& options, Grouping grouping,
+    Cutter(const Objects& objects, const Page& page, const CutOptions& options, SomeEdit& edit,
            const Follower& follower)
-        : objects_(document.objects()),
-          border_(options.windows, document.page(), options.coincident,
-                  CurvedBorder::sidesFor(document.objects())),
-          options_(
-              dividedAt(border_, document, withTolerance(options, document.page()), follower.stop)),
-          edit_(document, grouping), clipping_(options_, follower.stop),
-          areas_(options_.region, follower.stop), turns_(follower, double(objects_.size()))
+        : objects_(objects),
+          border_(options.windows, page, options.coincident, CurvedBorder::sidesFor(objects)),
+          options_(dividedAt(border_, objects, page, withTolerance(options, page), follower.stop)),
+          edit_(edit), clipping_(options_, follower.stop), areas_(options_.region, follower.stop),
+          turns_(follower, double(objects_.size()))
     {
     }
 
-    /// Empty if the document cannot hold the groups.
-    std::optional<Cut> cut()
+    void cut()
     {
         objects_.forEach(0, objects_.size(), [&](std::size_t i, const ObjectView& object) {
             if (turns_.stopped() || !reached(i))
@@ -119,7 +119,6 @@ public:
                 cutBatch();
         });
         cutBatch();
-        return edit_.take();
     }
 
 private:
@@ -189,12 +188,39 @@ private:
     const Objects& objects_;
     CurvedBorder border_;
     const CutOptions options_;
-    CutEdit edit_;
+    SomeEdit& edit_;
     ChordClipping clipping_;
     AreaCut areas_;
     Batch batch_;
     TurnProgress turns_; ///< a turn for each object
 };
+
+/// What becomes of each object, without a document around them.
+class EachObject {
+public:
+    explicit EachObject(std::size_t objects) : results_(objects) {}
+
+    static bool isLocked(std::size_t) { return false; }
+    static bool isHidden(std::size_t) { return false; }
+    void keep(std::size_t object) { results_[object].whole = true; }
+    void remove(std::size_t) {}
+    void cut(std::size_t object, CutObject result) { results_[object] = std::move(result); }
+    CutCounts& counts() { return counts_; }
+    std::vector<CutObject> take() { return std::move(results_); }
+
+private:
+    std::vector<CutObject> results_;
+    CutCounts counts_;
+};
+
+/// Empty if the document cannot hold the groups.
+std::optional<Cut> cutWith(Grouping grouping, const Document& document, const CutOptions& options,
+                           const Follower& follower)
+{
+    CutEdit edit(document, grouping);
+    Cutter(document.objects(), document.page(), options, edit, follower).cut();
+    return edit.take();
+}
 
 } // namespace
 
@@ -215,9 +241,17 @@ CutOptions atPolygons(CutOptions options, const CurvedBorder& border, const Page
 Cut cut(const Document& document, const CutOptions& options, const Follower& follower)
 {
     assert(options.clipAll);
-    if (auto made = Cutter(document, options, Grouping::Yes, follower).cut())
+    if (auto made = cutWith(Grouping::Yes, document, options, follower))
         return std::move(*made);
-    return *Cutter(document, options, Grouping::No, follower).cut();
+    return *cutWith(Grouping::No, document, options, follower);
+}
+
+std::vector<CutObject> cutEach(const Objects& objects, const Page& page, const CutOptions& options)
+{
+    assert(options.clipAll);
+    EachObject edit(objects.size());
+    Cutter(objects, page, options, edit, {}).cut();
+    return edit.take();
 }
 
 std::vector<Object> cutAlone(const Object& object, const CutOptions& options)
