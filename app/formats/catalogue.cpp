@@ -60,6 +60,11 @@ bool Imported::lossy() const
     return std::ranges::any_of(report, [](const Loss& loss) { return !loss.remark; });
 }
 
+bool mustSaveAs(const std::vector<Loss>& report)
+{
+    return std::ranges::any_of(report, [](const Loss& loss) { return !loss.remark || loss.cut; });
+}
+
 Result<Imported> readFile(const QString& path, const Format* format)
 {
     const auto failure = [&](const QString& why) {

@@ -21,6 +21,18 @@ struct Loss {
     bool remark = false;
     QString instead{}; ///< what is kept instead ("their lines are"); may be empty
     qint64 line = 0;   ///< of the file, where it occurred first; 0: none in particular
+    /// A remark on something that was cut: saving over the file would lose what is no more there.
+    bool cut = false;
+};
+
+/// Whether a drawing with this report must be saved under another name, so that its file keeps what
+/// was lost or cut.
+bool mustSaveAs(const std::vector<Loss>& report);
+
+/// What a file draws only by its name, as an area for clip windows: a clip path.
+struct NamedArea {
+    QString id;
+    std::vector<ClipWindow> windows; ///< which unite; none: it is empty
 };
 
 /// A drawing read from a file, and a report of what the document could not keep.
@@ -35,7 +47,9 @@ struct Imported {
     /// For a file without a page: the rectangle around the page and everything drawn, which is
     /// clipped unless another area is given.
     std::optional<clipping::Window> drawn{};
-    bool lossy() const; ///< has a loss that is not a remark: Save becomes Save as
+    /// The clip paths that cut something, as they did where they are used first.
+    std::vector<NamedArea> clipPaths{};
+    bool lossy() const; ///< has a loss that is not a remark
 };
 
 struct WriteOptions {

@@ -4,6 +4,8 @@
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 
+#include <algorithm>
+
 namespace app {
 
 namespace {
@@ -33,6 +35,14 @@ QString lossSentence(const std::vector<Loss>& report)
     const QString list =
         lost.isEmpty() ? last : Text::tr("%1 and %2").arg(lost.join(Text::tr(", ")), last);
     return Text::tr("%1 cannot be kept.").arg(list);
+}
+
+QString cutSentence(const std::vector<Loss>& report)
+{
+    if (std::ranges::none_of(report, &Loss::cut))
+        return {};
+    return Text::tr("Clip paths are real cuts now. Save asks for another name, so that the file "
+                    "keeps them.");
 }
 
 QStringList lossLines(const std::vector<Loss>& report)

@@ -1,143 +1,190 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip paths, and viewports that hide everything outside them: the content of both is really cut.
-#include "app/base/text.h"
-#include "app/document/flatten.h"
-#include "app/formats/svg/clip_object.h"
 #include "app/formats/svg/limits.h"
-#include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 #include "app/formats/svg/tree_drawer.h"
 
-namespace app::svg {
+#include <algorithm>
 
-void TreeDrawer::addClipPath(Node node, Place& place)
+namespace app::svg {
+PathShape rectangleShape(const Box& box, const Matrix& matrix)
 {
-    const auto reference = place.properties.clipPath;
-    const Node clip = tree_.findReference(reference);
+    const Point max = box.min + box.size;
+    Subpath path{box.min, {{{max.x, box.min.y}}, {max}, {{box.min.x, max.y}}}, true};
+    svg::transform(path, matrix);
+    return {Path({&path, 1}), FillRule::NonZero};
+}
+
+void TreeDrawer::addClipPath(std::string_view value, const Boxed& boxed, Place& place)
+{
     const auto line = report_.line();
-    if (!equalsIgnoringCase(reference.substr(0, 4), "url("))
-        report_.add(losses::value, "clip-path: " + std::string(reference));
-    else if (isElsewhere(reference))
-        report_.add(losses::otherFile);
-    else if (clip != noNode && tree_.name(clip) == "clipPath")
-        if (const auto region = clipRegion(clip, place)) {
-            place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
-            report_.add(losses::cutClipPath);
-        }
+    const Node node = node_;
+    if (!equalsIgnoringCase(value.substr(0, 4), "url("))
+        report_.add(losses::value, "clip-path: " + std::string(value));
+    else if (addClipReference(value, boxed, place))
+        report_.add(losses::cutClipPath);
     report_.turnTo(line);
     node_ = node;
 }
 
-// Tells why a clip path is not applied.
-std::nullopt_t TreeDrawer::refuseClip(const LossKind& why)
+// False: there is nothing to cut at, or it was told why it is not cut.
+bool TreeDrawer::addClipReference(std::string_view reference, const Boxed& boxed, Place& place)
 {
-    report_.add(why);
-    return std::nullopt;
+    const Node clip = tree_.findReference(reference);
+    const bool isClip = clip != noNode && tree_.name(clip) == "clipPath";
+    if (isElsewhere(reference))
+        report_.add(losses::otherFile);
+    else if (!isClip)
+        report_.add(losses::missingClipPath);
+    else if (std::ranges::find(clipping_, clip) != clipping_.end())
+        report_.add(losses::selfClip);
+    else
+        return addClipArea(clip, boxed, place);
+    return false;
 }
 
-std::optional<ConvexRegion> TreeDrawer::clipRegion(Node clip, const Place& place)
+bool TreeDrawer::addClipArea(Node clip, const Boxed& boxed, Place& place)
 {
-    if (tree_.attribute(clip, "clipPathUnits") == "objectBoundingBox")
-        return refuseClip(losses::clipPathUnits);
     Place base = place;
-    base.properties = {};
+    refuseTooDeep(base);
+    base.clips.clear();
+    base.properties = inheritedBy(clip);
     base = styled(clip, base);
-    if (!base.properties.clipPath.empty())
-        return refuseClip(losses::nestedClipPath);
-    const auto paths = clipOutlines(clip, base);
-    if (!paths)
-        return std::nullopt;
-    if (paths->size() > 1) // their union may not be convex
-        return refuseClip(losses::clipPathOfSeveral);
-    const Subpath path = paths->empty() ? Subpath{} : paths->front();
-    if (auto region = ConvexRegion::of(path, tolerance_))
-        return region;
-    return refuseClip(chordCount(path, tolerance_) > mostClipSides ? losses::longClipPath
-                                                                   : losses::clipPath);
+    clipping_.push_back(clip);
+    if (const auto own = base.properties.clipPath; !own.empty())
+        addClipPath(own, boxed, base);
+    const auto around = std::exchange(base.clips, {});
+    std::optional<std::vector<PathShape>> shapes;
+    if (turnToBox(tree_.attribute(clip, "clipPathUnits"), boxed, base))
+        shapes = clipShapes(clip, base);
+    clipping_.pop_back();
+    if (!shapes || !addWindows(unitedWindows(std::move(*shapes)), place))
+        return false;
+    nameClipPath(clip, *place.clips.back(), around);
+    place.clips.insert(place.clips.end() - 1, around.begin(), around.end());
+    return true;
 }
 
-// The outlines of a clip path's children.
-std::optional<std::vector<Subpath>> TreeDrawer::clipOutlines(Node clip, const Place& base)
+// Keeps the area under the clip path's id.
+void TreeDrawer::nameClipPath(Node clip, const ClipArea& area, const ClipAreas& around)
 {
-    std::vector<Subpath> all;
-    for (const Node child : Children(tree_, clip)) {
-        if (!isDrawn(tree_.name(child)))
-            continue;
-        auto paths = clipOutline(child, base);
-        if (!paths)
-            return std::nullopt;
-        std::ranges::move(*paths, std::back_inserter(all));
+    if (!named_.insert(clip).second || tree_.find(tree_.attribute(clip, "id")) != clip)
+        return;
+    NamedArea named{QString::fromUtf8(tree_.attribute(clip, "id")), {}};
+    for (const ClipWindow& window : area.windows.list) {
+        std::vector<PathShape> left;
+        addCut(std::get<PathShape>(window.shape), around, left);
+        for (PathShape& one : left)
+            named.windows.push_back({.name = named.id, .shape = std::move(one)});
     }
-    return all;
+    clipPaths_.push_back(std::move(named));
 }
 
-std::optional<std::vector<Subpath>> TreeDrawer::clipOutline(Node node, const Place& base)
+// If these units are those of the element's box, turns to them. False: the box is not known.
+bool TreeDrawer::turnToBox(std::string_view units, const Boxed& boxed, Place& base)
 {
+    if (units != "objectBoundingBox")
+        return true;
+    const auto box = boundsOf(boxed.node, boxed.place);
+    if (!box) {
+        report_.add(losses::clipPathUnits);
+        return false;
+    }
+    base.matrix =
+        base.matrix * translation(box->min) * Matrix{box->size.x, 0, 0, box->size.y, 0, 0};
+    base.lengths.viewport = {1, 1};
+    return true;
+}
+
+// The shapes that a clip path unites. Empty: not all of them are known, as it was told.
+std::optional<std::vector<PathShape>> TreeDrawer::clipShapes(Node clip, const Place& base)
+{
+    std::vector<PathShape> shapes;
+    if (base.matrix.determinant() == 0)
+        return shapes; // in a box without an area
+    for (const Node child : Children(tree_, clip)) {
+        if (!isDrawn(tree_.name(child)) || !isWanted(child))
+            continue;
+        report_.turnTo(tree_.line(child));
+        if (!addClipShape(child, base, shapes))
+            return std::nullopt;
+    }
+    return shapes;
+}
+
+bool TreeDrawer::addClipShape(Node node, const Place& base, std::vector<PathShape>& shapes)
+{
+    content_.addWork(workOfClipElement);
     Place place = styled(node, base);
     if (tree_.name(node) == "use") {
-        const Point shift = shiftOf(node, place);
         const Node target = tree_.findReference(hrefOf(tree_, node));
-        if (target == noNode)
-            return std::vector<Subpath>();
-        place.matrix = place.matrix * translation(shift);
-        if (place.properties.clipPath.empty() && place.properties.displayed)
-            place = styled(node = target, place);
+        report_.add(losses::selfUse, target != noNode && containsItself(node, target));
+        if (target == noNode || target == node || !place.properties.displayed)
+            return true;
+        if (const auto clip = place.properties.clipPath; !clip.empty())
+            addClipPath(clip, {node, place}, place);
+        place.matrix = place.matrix * translation(shiftOf(node, place));
+        place = styled(node = target, place);
     }
-    if (!place.properties.clipPath.empty())
-        return refuseClip(losses::nestedClipPath);
-    if (!place.properties.displayed || !place.properties.visible)
-        return std::vector<Subpath>();
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
-    if (!kind) { // text, or a <use> of a <use>
+    const bool shown = place.properties.displayed && place.properties.visible;
+    if (!kind && tree_.name(node) == "text" && shown) {
         report_.add(losses::clipPathContent, tree_.name(node));
-        return std::nullopt;
+        return false;
     }
-    return placed(outlineOf(*kind, node, place), place.matrix);
+    report_.add(losses::notInClipPath, kind ? 0 : 1);
+    if (!kind || !shown)
+        return true;
+    if (const auto clip = place.properties.clipPath; !clip.empty())
+        addClipPath(clip, {node, place}, place);
+    const auto paths = placed(outlineOf(*kind, node, place), place.matrix);
+    return addCut({Path(paths), place.properties.clipRule}, place.clips, shapes);
+}
+
+// Adds what is left of a shape inside these areas. False: this is not known, as it was told.
+bool TreeDrawer::addCut(PathShape shape, const ClipAreas& areas, std::vector<PathShape>& shapes)
+{
+    auto left = clipped(std::move(shape), areas, page_, content_.work());
+    content_.addWork(0);
+    report_.add(losses::crossedClipPath, !left);
+    if (left && left->path.hasArea())
+        shapes.push_back(std::move(*left));
+    return left.has_value();
+}
+
+bool TreeDrawer::addWindows(ClipWindows windows, Place& place)
+{
+    const bool fits = windows.list.size() <= ClipWindows::most;
+    report_.add(losses::manyClipShapes, !fits);
+    if (fits)
+        place.clips.push_back(
+            std::make_shared<const ClipArea>(ClipArea{std::move(windows), tree_.line(node_)}));
+    return fits;
+}
+
+// What the children of the elements around a clip path inherit.
+const Properties& TreeDrawer::inheritedBy(Node node)
+{
+    const Node parent = tree_.parent(node);
+    if (inherited_.first == parent)
+        return inherited_.second;
+    const Report::Silence silence(report_);
+    std::vector<Node> around;
+    for (Node each = parent; each != noNode; each = tree_.parent(each))
+        around.push_back(each);
+    Properties properties;
+    Lengths lengths;
+    for (auto each = around.rbegin(); each != around.rend(); ++each) {
+        properties = styles_.of(*each, properties, lengths);
+        lengths.fontSize = properties.fontSize;
+    }
+    inherited_ = {parent, std::move(properties)};
+    return inherited_.second;
 }
 
 void TreeDrawer::addViewportClip(const Box& viewport, Place& place)
 {
-    const Point max = viewport.min + viewport.size;
-    Subpath path{viewport.min, {{{max.x, viewport.min.y}}, {max}, {{viewport.min.x, max.y}}}, true};
-    svg::transform(path, place.matrix);
-    if (const auto region = ConvexRegion::of(path, tolerance_))
-        place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
-}
-
-// The objects that a clip region leaves of an object; the whole object if it cannot be clipped.
-std::vector<Drawn> TreeDrawer::clipped(Drawn drawn, const ConvexRegion& region)
-{
-    auto left = clipObject(drawn, region, tolerance_);
-    if (!left) {
-        report_.add(losses::longClipped);
-        std::vector<Drawn> all;
-        all.push_back(std::move(drawn));
-        return all;
-    }
-    clipWork_ += left->work;
-    report_.add(losses::wideStroke, left->strokeDiffers);
-    if (clipWork_ > mostClipWork)
-        throw Refused{
-            Text::tr("exceeds the limit of work for clip paths; remove some clip paths.")};
-    return std::move(left->objects);
-}
-
-// Clips an object with all clip regions around it, and adds the result.
-void TreeDrawer::addClipped(Drawn drawn, const Place& place)
-{
-    std::vector<Drawn> objects;
-    objects.push_back(std::move(drawn));
-    for (auto region = place.clips.rbegin(); region != place.clips.rend(); ++region) {
-        std::vector<Drawn> kept;
-        for (Drawn& one : objects)
-            std::ranges::move(clipped(std::move(one), **region), std::back_inserter(kept));
-        objects = std::move(kept);
-    }
-    for (Drawn& one : objects) {
-        countParts(one);
-        containers_.add(
-            {Path(one.paths), std::move(one.style), std::move(one.particulars), one.hidden});
-    }
+    addWindows({{{.shape = rectangleShape(viewport, place.matrix)}}}, place);
 }
 
 } // namespace app::svg

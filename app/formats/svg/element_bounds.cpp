@@ -66,32 +66,53 @@ void TreeDrawer::addBounds(Node node, const Place& place, ElementBounds& bounds)
 {
     if (++bounded_ > mostBounded)
         throw Refused{Text::tr("exceeds the limit of %1 elements in the bounding boxes that "
-                               "transform-box refers to.")
+                               "transforms and clip paths refer to.")
                           .arg(mostBounded)};
     const auto name = tree_.name(node);
     if (const OutlineKind* kind = findOutlineKind(name)) {
         for (const Subpath& path : placed(outlineOf(*kind, node, place), place.matrix))
             include(bounds, path);
     } else if (name == "g" || name == "a") {
+        addBoundsOfChildren(node, place, bounds);
+    } else if (name == "svg") {
+        if (const auto viewport = inViewport(node, place, {}))
+            addBoundsOfChildren(node, *viewport, bounds);
+    } else if (name == "switch") {
         for (const Node child : Children(tree_, node))
-            addBoundsWithin(child, place, bounds);
+            if (isDrawn(tree_.name(child)) && isWanted(child))
+                return addBoundsWithin(child, place, bounds);
     } else if (name == "use") {
-        const Node target = tree_.findReference(hrefOf(tree_, node));
-        if (target == noNode || containsItself(node, target))
-            return;
-        Place shifted = place;
-        shifted.matrix = place.matrix * translation(shiftOf(node, place));
-        used_.push_back(target);
-        addBoundsWithin(target, shifted, bounds);
-        used_.pop_back();
+        addBoundsOfUse(node, place, bounds);
     } else if (isDrawn(name)) {
         bounds.isKnown = false;
     }
 }
 
+void TreeDrawer::addBoundsOfChildren(Node node, const Place& place, ElementBounds& bounds)
+{
+    for (const Node child : Children(tree_, node))
+        addBoundsWithin(child, place, bounds);
+}
+
+void TreeDrawer::addBoundsOfUse(Node use, const Place& place, ElementBounds& bounds)
+{
+    const Node target = tree_.findReference(hrefOf(tree_, use));
+    if (target == noNode || containsItself(use, target))
+        return;
+    Place shifted = place;
+    shifted.matrix = place.matrix * translation(shiftOf(use, place));
+    used_.push_back(target);
+    const auto name = tree_.name(target);
+    if (name != "symbol" && name != "svg")
+        addBoundsWithin(target, shifted, bounds);
+    else if (const auto viewport = inViewport(target, styled(target, shifted), sizeOf(use, place)))
+        addBoundsOfChildren(target, *viewport, bounds);
+    used_.pop_back();
+}
+
 void TreeDrawer::addBoundsWithin(Node node, const Place& around, ElementBounds& bounds)
 {
-    if (around.depth > deepestNesting || !isDrawn(tree_.name(node)))
+    if (around.depth > deepestNesting || !isDrawn(tree_.name(node)) || !isWanted(node))
         return;
     const Place place = styled(node, around);
     if (place.properties.displayed)

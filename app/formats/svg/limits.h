@@ -31,9 +31,14 @@ constexpr std::size_t mostVariableWork = 50'000'000; ///< bytes and steps for va
 constexpr std::size_t mostDashes = 1'000;            ///< in one pattern
 constexpr std::size_t mostGroups =
     Containers::mostContainers - Containers::mostLayers; ///< further groups are dissolved
-constexpr std::size_t mostClipSides = 1'000;         ///< of a convex clip path
-constexpr std::size_t mostClippedCurves = 50'000;    ///< in one path that a clip path cuts
-constexpr std::size_t mostClipWork = 300'000'000;    ///< chords times sides
+/// Lines of clip paths and of what they cut, together; in a larger file, one for each byte.
+constexpr std::size_t mostClipWork = 3'000'000;
+constexpr std::size_t workOfClipElement = 64; ///< of one in a clip path or mask
+constexpr std::size_t mostClipMeetings = 20'000'000; ///< places where boxes of lines meet
+constexpr std::size_t mostClipChords = 1'000'000;    ///< of one clip path with curves
+/// True curves are met only by clip paths with so many points and chords, and of so many points.
+constexpr std::size_t mostTrueClipPoints = 2'000, mostTrueClipChords = 20'000,
+                      mostTrueClippedPoints = 100'000;
 constexpr double largestCoordinate = 1e300;          ///< keeps sums and differences finite
 
 } // namespace app::svg

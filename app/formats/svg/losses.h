@@ -15,6 +15,7 @@ struct LossKind {
     const char* oneInstead = nullptr; ///< kept instead, or required; null: nothing
     const char* manyInstead = nullptr;
     bool each = false; ///< an entry of the report for each text, not for all together
+    bool cut = false;  ///< a remark on something that was cut (Loss::cut)
 };
 
 namespace losses {
@@ -45,25 +46,34 @@ inline constexpr LossKind marker{QT_TRANSLATE_NOOP("Text", "arrowhead or other m
                                  QT_TRANSLATE_NOOP("Text", "arrowheads or other markers"), false,
                                  QT_TRANSLATE_NOOP("Text", "its line is kept"),
                                  QT_TRANSLATE_NOOP("Text", "their lines are kept")};
-inline constexpr LossKind clipPath{QT_TRANSLATE_NOOP("Text", "clip path that is not convex"),
-                                   QT_TRANSLATE_NOOP("Text", "clip paths that are not convex")};
-inline constexpr LossKind clipPathOfSeveral{
-    QT_TRANSLATE_NOOP("Text", "clip path of several areas"),
-    QT_TRANSLATE_NOOP("Text", "clip paths of several areas")};
 inline constexpr LossKind clipPathUnits{
-    QT_TRANSLATE_NOOP("Text", "clip path in units of the bounding box"),
-    QT_TRANSLATE_NOOP("Text", "clip paths in units of the bounding box")};
-inline constexpr LossKind nestedClipPath{
-    QT_TRANSLATE_NOOP("Text", "clip path that has a clip path itself"),
-    QT_TRANSLATE_NOOP("Text", "clip paths that have clip paths themselves")};
+    QT_TRANSLATE_NOOP("Text", "clip path in the box of something with texts or images"),
+    QT_TRANSLATE_NOOP("Text", "clip paths in the boxes of something with texts or images")};
 inline constexpr LossKind clipPathContent{QT_TRANSLATE_NOOP("Text", "clip path with an element %1"),
                                           QT_TRANSLATE_NOOP("Text", "clip paths with elements %1")};
-inline constexpr LossKind longClipPath{
-    QT_TRANSLATE_NOOP("Text", "clip path with more than 1,000 sides"),
-    QT_TRANSLATE_NOOP("Text", "clip paths with more than 1,000 sides")};
-inline constexpr LossKind longClipped{
-    QT_TRANSLATE_NOOP("Text", "clip path of a shape with more than 50,000 curves"),
-    QT_TRANSLATE_NOOP("Text", "clip paths of shapes with more than 50,000 curves")};
+inline constexpr LossKind manyClipShapes{
+    QT_TRANSLATE_NOOP("Text", "clip path with more than 1,000 shapes that overlap"),
+    QT_TRANSLATE_NOOP("Text", "clip paths with more than 1,000 shapes that overlap")};
+inline constexpr LossKind crossedClipPath{
+    QT_TRANSLATE_NOOP("Text", "clip path with more than 20 million crossings of lines"),
+    QT_TRANSLATE_NOOP("Text", "clip paths with more than 20 million crossings of lines")};
+inline constexpr LossKind selfClip{
+    QT_TRANSLATE_NOOP("Text", "clip path that clips itself"),
+    QT_TRANSLATE_NOOP("Text", "clip paths that clip themselves")};
+inline constexpr LossKind missingClipPath{
+    QT_TRANSLATE_NOOP("Text", "reference to a clip path that is not in the file was ignored"),
+    QT_TRANSLATE_NOOP("Text", "references to clip paths that are not in the file were ignored"),
+    true};
+inline constexpr LossKind notInClipPath{
+    QT_TRANSLATE_NOOP("Text", "element that SVG does not use in a clip path was left out"),
+    QT_TRANSLATE_NOOP("Text", "elements that SVG does not use in a clip path were left out"),
+    true};
+inline constexpr LossKind cutShape{
+    QT_TRANSLATE_NOOP("Text", "shape was cut where a clip path ends"),
+    QT_TRANSLATE_NOOP("Text", "shapes were cut where clip paths end"), true, nullptr, nullptr, false, true};
+inline constexpr LossKind hiddenShape{
+    QT_TRANSLATE_NOOP("Text", "shape that a clip path hides was removed"),
+    QT_TRANSLATE_NOOP("Text", "shapes that clip paths hide were removed"), true, nullptr, nullptr, false, true};
 inline constexpr LossKind wideStroke{
     QT_TRANSLATE_NOOP("Text", "wide stroke was cut at its centre line, and does not end where its "
                               "clip path does"),
@@ -207,7 +217,7 @@ inline constexpr LossKind doubleId{QT_TRANSLATE_NOOP("Text", "repeated id was re
                                    QT_TRANSLATE_NOOP("Text", "repeated ids were removed"), true};
 inline constexpr LossKind cutClipPath{
     QT_TRANSLATE_NOOP("Text", "clip path was replaced by a real cut"),
-    QT_TRANSLATE_NOOP("Text", "clip paths were replaced by real cuts"), true};
+    QT_TRANSLATE_NOOP("Text", "clip paths were replaced by real cuts"), true, nullptr, nullptr, false, true};
 inline constexpr LossKind groupOpacity{
     QT_TRANSLATE_NOOP("Text", "group opacity was moved to each shape"),
     QT_TRANSLATE_NOOP("Text", "group opacities were moved to each shape"), true};

@@ -29,11 +29,13 @@ std::optional<clipping::Window> drawnOf(const RootPage& root, const Document& do
     return clipping::Window{glm::min(page.min, drawn.min), glm::max(page.max, drawn.max)};
 }
 
-Document draw(const Tree& tree, const RootPage& root, Styles& styles, Report& report)
+void draw(const Tree& tree, const RootPage& root, Styles& styles, Report& report,
+          Imported& imported)
 {
     TreeDrawer drawer(tree, styles, report, root.page);
     try {
-        return drawer.drawAll(root.matrix, root.viewport);
+        imported.document = drawer.drawAll(root.matrix, root.viewport);
+        imported.clipPaths = drawer.takeClipPaths();
     } catch (Refused& refused) {
         if (refused.line == Refused::here)
             refused.line = drawer.line();
@@ -53,14 +55,14 @@ Imported import(const Tree& tree, Report& report)
     Styles styles(tree, report);
     const RootPage root = readPage(tree, styles, report);
     refuseUnusable(root.page);
-    Document document = draw(tree, root, styles, report);
+    draw(tree, root, styles, report, imported);
+    Document& document = imported.document;
     Page page = closed(root, document.objects());
     refuseUnusable(page);
     page.guides = readGuides(tree, report);
     page.sheets = readSheets(tree, report);
     document.apply({.windows = readWindows(tree, report), .page = std::move(page)});
     imported.drawn = drawnOf(root, document);
-    imported.document = std::move(document);
     imported.report = report.losses();
     return imported;
 }

@@ -73,7 +73,7 @@ std::vector<Loss> Report::losses() const
         if (!texts.isEmpty())
             what = what.arg(texts.join(QStringLiteral(", ")));
         losses.push_back(
-            {what, count, kind->remark, instead ? Text::tr(instead) : QString(), line});
+            {what, count, kind->remark, instead ? Text::tr(instead) : QString(), line, kind->cut});
     }
     return losses;
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/tree_drawer.h"
 
-#include "app/base/numbers.h"
 #include "app/base/text.h"
-#include "app/document/flatten.h"
 #include "app/formats/svg/element_transform.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/path_length.h"
@@ -101,7 +99,7 @@ bool TreeDrawer::isDrawn(std::string_view element) { return find(element) || fin
 
 TreeDrawer::TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page)
     : tree_(tree), report_(report), styles_(styles), paints_(tree, styles, report), page_(page),
-      tolerance_(usualTolerance(page)), idIsTaken_(tree.size())
+      content_(page, usualTolerance(page), tree.textSize(), report), idIsTaken_(tree.size())
 {
     for (std::uint32_t name = 0; name < tree.nameCount(); ++name)
         hasConditions_ = hasConditions_ || tree.nameOf(name) == extensionAttribute
@@ -119,16 +117,21 @@ Document TreeDrawer::drawAll(const Matrix& rootMatrix, const Point& viewport)
     report_.turnTo(0);
     report_.add(losses::metadata, tree_.saysTooMuch() ? 1 : 0);
     report_.add(losses::elementNote, tree_.notesOfElements() - notesKept_);
-    return containers_.take(page_, tree_.about(), report_);
+    return content_.take(tree_.about());
+}
+
+void TreeDrawer::refuseTooDeep(const Place& around)
+{
+    if (around.depth > deepestNesting)
+        throw Refused{
+            Text::tr("nests elements deeper than %1; ungroup some of them.").arg(deepestNesting)};
 }
 
 void TreeDrawer::draw(Node node, const Place& around)
 {
     node_ = node;
     report_.turnTo(line());
-    if (around.depth > deepestNesting)
-        throw Refused{
-            Text::tr("nests elements deeper than %1; ungroup some of them.").arg(deepestNesting)};
+    refuseTooDeep(around);
     if (around.repeated && ++repeated_ > mostRepeated)
         throw Refused{
             Text::tr("exceeds the limit of %1 elements repeated by <use>.").arg(mostRepeated)};
@@ -164,7 +167,7 @@ Place TreeDrawer::inside(Node node, const Place& around)
 {
     Place place = styled(node, around);
     if (!place.properties.clipPath.empty())
-        addClipPath(node, place);
+        addClipPath(place.properties.clipPath, {node, place}, place);
     return place;
 }
 
@@ -235,16 +238,16 @@ void TreeDrawer::drawContainer(Node node, Container::Kind kind, Place place, con
         name = tree_.attribute(node, "id");
     Particulars particulars = particularsOf(node);
     place.hidden = around.hidden; // the objects of a hidden container need not be hidden themselves
-    containers_.open({.kind = kind,
-                      .name = QString::fromUtf8(name),
-                      .svgId = std::move(particulars.id),
-                      .title = std::move(particulars.title),
-                      .description = std::move(particulars.description),
-                      .newStyle = QString::fromUtf8(tree_.attribute(node, "clearcut:new-objects")),
-                      .visible = place.properties.displayed,
-                      .locked = tree_.attribute(node, "sodipodi:insensitive") == "true"});
+    content_.open({.kind = kind,
+                   .name = QString::fromUtf8(name),
+                   .svgId = std::move(particulars.id),
+                   .title = std::move(particulars.title),
+                   .description = std::move(particulars.description),
+                   .newStyle = QString::fromUtf8(tree_.attribute(node, "clearcut:new-objects")),
+                   .visible = place.properties.displayed,
+                   .locked = tree_.attribute(node, "sodipodi:insensitive") == "true"});
     drawChildren(node, place);
-    containers_.close();
+    content_.close();
 }
 
 // The element's own properties; called once for each element.
@@ -292,15 +295,15 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
     Outline outline = outlineOf(*kind, node, place);
     scaleDashes(node, outline, properties);
-    Drawn drawn;
-    drawn.paths = placed(std::move(outline), place.matrix);
-    if (!drawn.paths.empty() && place.matrix.determinant() == 0) {
+    const std::vector<Subpath> paths = placed(std::move(outline), place.matrix);
+    if (!paths.empty() && place.matrix.determinant() == 0) {
         report_.add(losses::sizeless);
         return;
     }
-    if (drawn.paths.empty())
+    if (paths.empty())
         return;
-    if (!enclosesArea(drawn.paths))
+    Object drawn{Path(paths), {}};
+    if (!enclosesArea(paths))
         properties.fill = {}; // the writer leaves out such a fill, too
     reportEffects(properties, false);
     const double pixelsPerUnit = pixel / page_.millimetresPerUnit();
@@ -319,8 +322,8 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     const Node named = place.repeated ? around.use : node;
     if (named != noNode)
         drawn.particulars = particularsOf(named);
-    drawn.particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"), drawn.paths);
-    addClipped(std::move(drawn), place);
+    drawn.particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"), paths);
+    content_.add(std::move(drawn), place.clips);
 }
 
 Outline TreeDrawer::outlineOf(const OutlineKind& kind, Node node, const Place& place)
@@ -360,22 +363,6 @@ std::vector<Subpath> TreeDrawer::placed(Outline outline, const Matrix& matrix)
             throw Refused{Text::tr("has a coordinate that is too large to be drawn.")};
     }
     return std::move(outline.paths);
-}
-
-void TreeDrawer::countParts(const Drawn& drawn)
-{
-    const Style& style = drawn.style;
-    const auto fits = [](double length) { return std::abs(length) <= largestCoordinate; };
-    if (!(fits(style.width) && fits(style.dashOffset) && std::ranges::all_of(style.dashes, fits)))
-        throw Refused{Text::tr("has a stroke that is too large to be drawn.")};
-    parts_ += 1 + style.dashes.size();
-    for (const Subpath& path : drawn.paths)
-        parts_ += 1 + chordCount(path, tolerance_);
-    // A large drawing may have more, but no small file may grow into one.
-    const std::size_t most = std::max(mostParts, tree_.textSize());
-    if (parts_ > most)
-        throw Refused{
-            Text::tr("exceeds the limit of %1 points in a drawing.").arg(countText(most))};
 }
 
 } // namespace app::svg

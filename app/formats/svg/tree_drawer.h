@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/formats/svg/clip_object.h"
-#include "app/formats/svg/container_stack.h"
-#include "app/formats/svg/convex_region.h"
+#include "app/formats/svg/clipped_content.h"
 #include "app/formats/svg/outline.h"
 #include "app/formats/svg/paint.h"
 #include "app/formats/svg/transform.h"
@@ -22,8 +20,11 @@ struct Place {
     bool repeated = false; ///< inside a <use>
     Node use = noNode;     ///< the <use> that draws this element directly
     int depth = 0;
-    std::vector<std::shared_ptr<const ConvexRegion>> clips{}; ///< outermost first
+    ClipAreas clips{}; ///< of the elements around it
 };
+
+/// A rectangle, transformed.
+PathShape rectangleShape(const Box& box, const Matrix& matrix);
 
 /// The bounding box of an element's shapes.
 struct ElementBounds {
@@ -40,6 +41,9 @@ public:
     /// The content of the root as a document with the page. Throws Refused.
     Document drawAll(const Matrix& rootMatrix, const Point& viewport);
 
+    /// The clip paths that were used, after drawAll().
+    std::vector<NamedArea> takeClipPaths() { return std::move(clipPaths_); }
+
     qint64 line() const { return tree_.line(node_); } ///< the line of the element being drawn
 
 private:
@@ -51,6 +55,7 @@ private:
     static bool isDrawn(std::string_view element); ///< by SVG, whether it is kept or not
 
     void draw(Node node, const Place& around);
+    static void refuseTooDeep(const Place& around);
     void drawChildren(Node node, const Place& place);
     bool isWanted(Node node);
     /// The context for an element's content, with the element's transform and properties applied.
@@ -72,25 +77,36 @@ private:
     struct ViewportSize {
         std::string_view width{}, height{};
     };
+    ViewportSize sizeOf(Node use, const Place& place) const;
     void drawViewport(Node node, const Place& place, const ViewportSize& given);
+    std::optional<Place> inViewport(Node node, const Place& around, const ViewportSize& given);
 
     std::optional<Box> boundsOf(Node node, const Place& place);
     void addBounds(Node node, const Place& place, ElementBounds& bounds);
     void addBoundsWithin(Node node, const Place& around, ElementBounds& bounds);
+    void addBoundsOfChildren(Node node, const Place& place, ElementBounds& bounds);
+    void addBoundsOfUse(Node use, const Place& place, ElementBounds& bounds);
 
-    void addClipPath(Node node, Place& place);
+    /// The element that a clip path is for, whose box it may refer to.
+    struct Boxed {
+        Node node;
+        const Place& place;
+    };
+    void addClipPath(std::string_view value, const Boxed& boxed, Place& place);
+    bool addClipReference(std::string_view reference, const Boxed& boxed, Place& place);
+    bool addClipArea(Node clip, const Boxed& boxed, Place& place);
+    bool turnToBox(std::string_view units, const Boxed& boxed, Place& base);
+    std::optional<std::vector<PathShape>> clipShapes(Node clip, const Place& base);
+    bool addClipShape(Node node, const Place& base, std::vector<PathShape>& shapes);
+    bool addCut(PathShape shape, const ClipAreas& areas, std::vector<PathShape>& shapes);
+    bool addWindows(ClipWindows windows, Place& place);
+    void nameClipPath(Node clip, const ClipArea& area, const ClipAreas& around);
+    const Properties& inheritedBy(Node node);
     void addViewportClip(const Box& viewport, Place& place);
-    std::optional<ConvexRegion> clipRegion(Node clip, const Place& place);
-    std::optional<std::vector<Subpath>> clipOutlines(Node clip, const Place& base);
-    std::optional<std::vector<Subpath>> clipOutline(Node node, const Place& base);
-    std::nullopt_t refuseClip(const LossKind& why);
-    void addClipped(Drawn drawn, const Place& place);
-    std::vector<Drawn> clipped(Drawn drawn, const ConvexRegion& region);
 
     Outline outlineOf(const OutlineKind& kind, Node node, const Place& place);
     std::vector<Subpath> placed(Outline outline, const Matrix& matrix);
     void scaleDashes(Node node, const Outline& outline, Properties& properties);
-    void countParts(const Drawn& drawn);
     Particulars particularsOf(Node node);
     QString idOf(Node node);
 
@@ -99,16 +115,18 @@ private:
     Styles& styles_;
     Paints paints_;
     const Page& page_;
-    ContainerStack containers_;
+    ClippedContent content_;
     Node node_ = 0;
-    std::vector<Node> used_;   ///< the targets of the <use> elements being drawn
-    std::size_t repeated_ = 0; ///< number of elements drawn through <use>
-    std::size_t bounded_ = 0;  ///< number of elements of which boxes were computed
-    std::size_t parts_ = 0;
-    std::size_t clipWork_ = 0;   ///< chords times sides
-    bool hasConditions_ = false; ///< whether the file names languages or extensions
-    double tolerance_;
-    std::vector<bool> idIsTaken_; ///< for the first element with an id: whether the id is in use
+    std::vector<Node> used_;     ///< the targets of the <use> elements being drawn
+    std::vector<Node> clipping_; ///< the clip paths whose content is being read
+    /// What elements in a clip path inherit; usually many have the same parent.
+    std::pair<Node, Properties> inherited_{noNode, {}};
+    std::vector<NamedArea> clipPaths_;
+    std::unordered_set<Node> named_; ///< the elements of these
+    std::size_t repeated_ = 0;       ///< number of elements drawn through <use>
+    std::size_t bounded_ = 0;        ///< number of elements of which boxes were computed
+    bool hasConditions_ = false;     ///< whether the file names languages or extensions
+    std::vector<bool> idIsTaken_;    ///< for the first element with an id: whether the id is in use
     int notesKept_ = 0;
 };
 

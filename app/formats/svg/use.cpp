@@ -48,9 +48,13 @@ void TreeDrawer::drawUsed(Node use, Node target, const Place& place)
     }
     node_ = target;
     report_.turnTo(line());
-    drawViewport(target, inside(target, place),
-                 {lengthText(tree_, use, place.properties, "width"),
-                  lengthText(tree_, use, place.properties, "height")});
+    drawViewport(target, inside(target, place), sizeOf(use, place));
+}
+
+TreeDrawer::ViewportSize TreeDrawer::sizeOf(Node use, const Place& place) const
+{
+    return {lengthText(tree_, use, place.properties, "width"),
+            lengthText(tree_, use, place.properties, "height")};
 }
 
 void TreeDrawer::drawNestedSvg(Node node, const Place& around)
@@ -60,8 +64,16 @@ void TreeDrawer::drawNestedSvg(Node node, const Place& around)
     drawViewport(node, place, {});
 }
 
-// `given` is the size that a <use> says, instead of the element that it draws.
 void TreeDrawer::drawViewport(Node node, const Place& around, const ViewportSize& given)
+{
+    if (const auto place = inViewport(node, around, given))
+        drawChildren(node, *place);
+}
+
+// The context of the children of a <symbol> or <svg>; empty: it has no size. `given` is the size
+// that a <use> says, instead of the element that it draws.
+std::optional<Place> TreeDrawer::inViewport(Node node, const Place& around,
+                                            const ViewportSize& given)
 {
     const Lengths& lengths = around.lengths;
     const auto size = [&](std::string_view name, std::string_view text, double whole) {
@@ -76,7 +88,7 @@ void TreeDrawer::drawViewport(Node node, const Place& around, const ViewportSize
         viewport.min = shiftOf(node, around);
     if (!(viewport.size.x > 0 && viewport.size.y > 0)) {
         report_.add(losses::sizeless);
-        return;
+        return std::nullopt;
     }
     Place place = around;
     if (!place.properties.overflowShown)
@@ -89,7 +101,7 @@ void TreeDrawer::drawViewport(Node node, const Place& around, const ViewportSize
     else
         place.matrix = place.matrix * translation(viewport.min);
     place.lengths.viewport = box ? box->size : viewport.size;
-    drawChildren(node, place);
+    return place;
 }
 
 } // namespace app::svg

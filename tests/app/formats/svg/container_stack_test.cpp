@@ -135,7 +135,7 @@ private slots:
         QCOMPARE(outline(defs + "<use href='#a'/><use href='#s' id='u'/>"), "Drawing(2)");
         QCOMPARE(outline(group("id='d'", defs + "<use href='#a'/>") + "<use href='#d'/>"),
                  "Drawing([1] 1)");
-        QCOMPARE(outline("<clipPath id='p'><g id='q'>" + path + "</g></clipPath>"
+        QCOMPARE(outline("<clipPath id='p'><path id='q' d='M-9-9H99V99H-9z'/></clipPath>"
                          + group("id='d' clip-path='url(#p)'", path)),
                  "Drawing([1])");
         QCOMPARE(outline("<switch>" + group("id='d'", path) + "</switch>"), "Drawing([1])");

@@ -370,20 +370,92 @@ private slots:
             points += QByteArray::number(i % 100) + (i % 2 ? " 0 " : " 100 ");
         const QByteArray line = "<polyline points='" + points + "' fill='none' stroke='red'/>";
         const QByteArray clip = "<clipPath id='c'><circle cx='50' cy='50' r='40'/></clipPath>";
-        const QByteArray around = "<g clip-path='url(#c)'>";
-        QCOMPARE(error(drawing(clip + around + line + "</g>")), "(no error)");
-        QVERIFY(
-            error(drawing(clip + around + line.repeated(50) + "</g>")).contains("limit of work"));
+        const QByteArray around = "<g clip-path='url(#c)'>", end = "</g>";
+        QCOMPARE(error(drawing(clip + around + line + end)), "(no error)");
+        QVERIFY(error(drawing(clip + around.repeated(400) + line + end.repeated(400)))
+                    .contains("limit of work"));
         const QByteArray shapes = QByteArray("<path d='M50 50h1'/>").repeated(100'000);
-        QVERIFY(
-            error(drawing(clip + around.repeated(400) + shapes + QByteArray("</g>").repeated(400)))
-                .contains("limit of work"));
+        QVERIFY(error(drawing(clip + around.repeated(400) + shapes + end.repeated(400)))
+                    .contains("limit of work"));
         const auto curves = [](const QByteArray& one) {
             return "<path d='M0 0" + one.repeated(60'000) + "'/>";
         };
-        QCOMPARE(error(drawing(clip + around + curves("c0 9 9 0 -1 0") + "</g>")), "(no error)");
-        QVERIFY(error(drawing(clip + around + curves("c0 1e9 1e9 0 -1 0") + "</g>"))
-                    .contains("points"));
+        QCOMPARE(error(drawing(clip + around + curves("c0 9 9 0 -1 0") + end)), "(no error)");
+        QVERIFY(
+            error(drawing(clip + around + curves("c0 1e9 1e9 0 -1 0") + end)).contains("points"));
+    }
+
+    // A clip path of ten clip paths, each of ten more.
+    void clipPathsInClipPathsCannotMultiply()
+    {
+        QByteArray clips = "<clipPath id='c0'><rect width='50' height='50'/></clipPath>";
+        for (int i = 1; i < 30; ++i)
+            clips += "<clipPath id='c" + QByteArray::number(i) + "'>"
+                     + ("<rect width='50' height='50' clip-path='url(#c" + QByteArray::number(i - 1)
+                        + ")'/>")
+                           .repeated(10)
+                     + "</clipPath>";
+        QVERIFY(error(drawing(clips + "<path clip-path='url(#c29)' d='M0 0h9'/>"))
+                    .contains("limit of work"));
+    }
+
+    void longChainsOfClipPathsAreRefused()
+    {
+        QByteArray clips = "<clipPath id='c0'><rect width='50' height='50'/></clipPath>";
+        for (int i = 1; i < 5000; ++i)
+            clips += "<clipPath id='c" + QByteArray::number(i) + "' clip-path='url(#c"
+                     + QByteArray::number(i - 1) + ")'><rect width='9' height='9'/></clipPath>";
+        QVERIFY(error(drawing(clips + "<path clip-path='url(#c4999)' d='M0 0h9'/>"))
+                    .contains("nests elements deeper"));
+    }
+
+    void largeClipPathsEnd_data()
+    {
+        QTest::addColumn<QByteArray>("clip");
+        QTest::addColumn<QByteArray>("content");
+        const auto row = [](const char* name, const QByteArray& clip, const QByteArray& content) {
+            QTest::newRow(name) << "<clipPath id='c'>" + clip + "</clipPath>" << content;
+        };
+        const auto rings = [](int count, const QByteArray& ring) {
+            QByteArray path = "<path d='";
+            for (int i = 0; i < count; ++i)
+                path += "M" + QByteArray::number(i % 300 / 3.0) + ' '
+                        + QByteArray::number(i / 300 / 3.5) + ring;
+            return path + "'/>";
+        };
+        const QByteArray line = "<path stroke='red' d='M0 0L100 99'/>";
+        const QByteArray area = "<path d='M0 0H100V100z'/>";
+        QByteArray star = "<path d='M0 0";
+        for (int i = 0; i < 20'000; ++i)
+            star += 'L' + QByteArray::number(i * 7919 % 1000 / 10.0) + ' '
+                    + QByteArray::number(i * 104729 % 997 / 10.0);
+        star += "'/>";
+        row("10^5 rings", rings(100'000, "h.2v.2h-.2z"), line + area);
+        row("10^5 round rings", rings(100'000, "a.1 .1 0 0 0 .1 .1a.1 .1 0 0 0 -.1 -.1z"),
+            line + area);
+        row("10^4 shapes", QByteArray("<circle cx='50' cy='50' r='9'/>").repeated(10'000), line);
+        row("1,000 overlapping shapes",
+            QByteArray("<circle cx='50' cy='50' r='9'/>").repeated(1'000), line + area);
+        row("a star", star, line + area);
+        row("a star in a star", star, star);
+        row("an area of stars", "<circle cx='50' cy='50' r='40'/>", star);
+        row("a comb in a comb", rings(5'000, "v100h.01v-100z"), rings(5'000, "h100v.01h-100z"));
+        row("huge", "<circle cx='5e8' r='1e9'/>", line + area);
+        row("nearly infinite", "<circle r='1e299'/>", line + area);
+        row("a transform without a number", "<circle r='9' transform='scale(nan)'/>", line);
+        row("a transform to a line", "<circle r='9' transform='scale(0 1)'/>", line);
+    }
+    void largeClipPathsEnd()
+    {
+        QFETCH(QByteArray, clip);
+        QFETCH(QByteArray, content);
+        QElapsedTimer timer;
+        timer.start();
+        const auto read = readText(drawing(clip + "<g clip-path='url(#c)'>" + content + "</g>"));
+        QVERIFY(read || read.error.endsWith('.'));
+        QVERIFY(!read || !read.value->report.empty());
+        qInfo("%lld ms, %s", timer.elapsed(), // what hangs is ended by ctest
+              read ? qPrintable(read.value->report.back().what) : qPrintable(read.error));
     }
 
     void memoryStaysBounded()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pages, layers, hidden things, transforms, <use>, viewports, clip paths, and the report.
+// Pages, layers, hidden things, transforms, <use>, viewports, and the report.
 #include <QTest>
 
 #include "tests/app/formats/svg/text.h"
@@ -465,111 +465,6 @@ private slots:
         QCOMPARE(shapeOf(defs + "<use id='u' href='#p'/>").id, "u");
         QCOMPARE(reportOf(defs + "<use href='#gone'/><use href='other.svg#p'/>"),
                  "1 reference to another file");
-    }
-
-    void clipPathsAreCutForReal()
-    {
-        const auto cut = [](const QByteArray& clip, const QByteArray& element) {
-            return pathsOf("<clipPath id='c'>" + clip + "</clipPath><g clip-path='url(#c)'>"
-                           + element + "</g>");
-        };
-        const QByteArray box = "<rect x='10' y='10' width='20' height='20'/>";
-        const QByteArray line = "<path d='M0 20L40 20' fill='none' stroke='red'/>";
-        QCOMPARE(cut(box, line), "10,20 30,20");
-        QCOMPARE(cut(box, "<path d='M0 0L5 9' stroke='red'/>"), "");
-        QCOMPARE(cut(box, "<path d='M12 12L20 20' fill='red'/>"), "12,12 20,20");
-        QCOMPARE(cut(box, "<path d='M0 20H15V40H25V20H40' fill='none' stroke='red'/>"),
-                 "10,20 15,20 15,30 | 25,30 25,20 30,20");
-        QCOMPARE(cut(box, "<path d='M20 0H40V40H20z' fill='red'/>"), "30,10 30,30 20,30 20,10 z");
-        QCOMPARE(cut("<path d='M20 0L40 20 20 40 0 20z'/>",
-                     "<path d='M0 10H40' stroke='red' fill='none'/>"),
-                 "10,10 30,10");
-        QCOMPARE(cut("<path d='M20 0L0 20 20 40 40 20z'/>",
-                     "<path d='M0 10H40' stroke='red' fill='none'/>"),
-                 "10,10 30,10");
-        QCOMPARE(cut("", line), "");
-        QCOMPARE(pathsOf("<clipPath id='c'>" + box
-                         + "</clipPath><path clip-path='url(#gone)' d='M0 0H9'/>"),
-                 "0,0 9,0");
-        QCOMPARE(reportOf("<clipPath id='c'>" + box
-                          + "</clipPath><g clip-path='url(#c)'/><g clip-path='url(#c)'/>"),
-                 "2 clip paths were replaced by real cuts");
-    }
-
-    // The report says why a clip path is not applied; the shapes are whole.
-    void clipPathsThatAreNotApplied_data()
-    {
-        QTest::addColumn<QByteArray>("clip");
-        QTest::addColumn<QString>("expected");
-        const auto row = [](const QByteArray& clip, const char* expected) {
-            QTest::addRow("%s", clip.left(60).constData()) << clip << QString(expected);
-        };
-        const QByteArray rect = "<rect width='1' height='1'/>";
-        row("><path d='M0 0H9L4 4 9 9H0z'/>", "1 clip path that is not convex");
-        row("><path d='M0 0L9 9 9 0 0 9z'/>", "1 clip path that is not convex");
-        row("><text>x</text>", "1 clip path with an element “text”");
-        row(">" + rect + rect, "1 clip path of several areas");
-        row(" clipPathUnits='objectBoundingBox'>" + rect,
-            "1 clip path in units of the bounding box");
-        row(" clip-path='url(#c)'>" + rect, "1 clip path that has a clip path itself");
-        row("><circle r='1e9'/>", "1 clip path with more than 1,000 sides");
-    }
-    void clipPathsThatAreNotApplied()
-    {
-        QFETCH(QByteArray, clip);
-        QFETCH(QString, expected);
-        const QByteArray elements = "<clipPath id='c'" + clip
-                                    + "</clipPath><g clip-path='url(#c)'><path d='M0 20L40 20' "
-                                      "fill='none' stroke='red'/></g>";
-        QCOMPARE(reportOf(elements), expected);
-        QCOMPARE(pathsOf(elements), "0,20 40,20");
-    }
-
-    void aClipPathOfCssIsTold()
-    {
-        QCOMPARE(reportOf("<path d='M0 0h1' style='clip-path:circle(9px)'/>"),
-                 "1 value “clip-path: circle(9px)” that is not understood");
-    }
-
-    // Its centre line ends at the clip path's edge, but not its sides.
-    void wideStrokesAtSlantedClipPathsAreTold()
-    {
-        const auto reported = [](const QByteArray& stroke, const QByteArray& corners) {
-            return reportOf("<clipPath id='k'><polygon points='" + corners
-                            + "'/></clipPath><path d='M0 50H100' stroke='#000' stroke-width='"
-                            + stroke + "' clip-path='url(#k)'/>");
-        };
-        const QByteArray slanted = "50,10 90,50 50,90 10,50", upright = "20,20 80,20 80,80 20,80";
-        const QString cut = "1 clip path was replaced by a real cut",
-                      wide =
-                          "; 1 wide stroke was cut at its centre line, and does not end where its "
-                          "clip path does";
-        QCOMPARE(reported("15", "60,0 100,60 40,100 0,40"), cut + wide);
-        QCOMPARE(reported("1", "60,0 100,60 40,100 0,40"), cut);
-        QCOMPARE(reported("15", upright), cut);
-        QCOMPARE(reported("15", slanted), cut + wide);
-    }
-
-    void cutCurvesStayCurves()
-    {
-        const auto shape = shapeOf("<clipPath id='c'><rect width='50' "
-                                   "height='100'/></clipPath><circle cx='50' cy='50' r='20' "
-                                   "fill='none' stroke='red' clip-path='url(#c)'/>");
-        QCOMPARE(text(shape.paths), "50,70 ~30,50 ~50,30");
-    }
-
-    void filledAndStrokedShapesBecomeTwo()
-    {
-        const auto result =
-            readText(drawing("<clipPath id='c'><rect width='50' height='100'/></clipPath><rect "
-                             "id='r' x='40' y='10' width='20' "
-                             "height='20' fill='red' stroke='blue' clip-path='url(#c)'/>"));
-        const auto& shapes = app::sheetOf(result.value->document).shapes;
-        QCOMPARE(shapes.size(), 2u);
-        QCOMPARE(text(shapes[0].paths), "40,10 50,10 50,30 40,30 z");
-        QVERIFY(shapes[0].style.fill && !shapes[0].style.stroke && shapes[0].id == "r");
-        QCOMPARE(text(shapes[1].paths), "50,30 40,30 40,10 50,10");
-        QVERIFY(!shapes[1].style.fill && shapes[1].style.stroke && shapes[1].id.isEmpty());
     }
 
     void whatCannotBeKeptIsReported()

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/svg/clipped_content.h"
+
+#include "app/base/text.h"
+#include "app/formats/svg/limits.h"
+#include "app/formats/svg/refused.h"
+
+namespace app::svg {
+
+void ClippedContent::open(Container container)
+{
+    if (scopes_.empty())
+        containers_.open(std::move(container));
+    else
+        scopes_.back().events.emplace_back(std::move(container));
+}
+
+void ClippedContent::close()
+{
+    if (scopes_.empty())
+        containers_.close();
+    else
+        scopes_.back().events.emplace_back(Closing{});
+}
+
+void ClippedContent::add(Object object, const ClipAreas& around)
+{
+    moveTo(around);
+    parts_.add(object);
+    put(std::move(object));
+}
+
+// Into these areas, out of all others.
+void ClippedContent::moveTo(const ClipAreas& areas)
+{
+    std::size_t same = 0;
+    while (same < std::min(scopes_.size(), areas.size()) && scopes_[same].area == areas[same])
+        ++same;
+    while (scopes_.size() > same)
+        leave();
+    for (; same < areas.size(); ++same)
+        scopes_.push_back({areas[same]});
+}
+
+void ClippedContent::put(Object object)
+{
+    if (scopes_.empty())
+        return containers_.add(std::move(object));
+    Scope& scope = scopes_.back();
+    scope.events.emplace_back(scope.objects.size());
+    scope.objects.append(object);
+}
+
+void ClippedContent::leave()
+{
+    const Scope scope = std::move(scopes_.back());
+    scopes_.pop_back();
+    const auto line = report_.line();
+    report_.turnTo(scope.area->line);
+    std::vector<CutObject> left = cut(scope);
+    for (const Event& event : scope.events)
+        if (const auto* container = std::get_if<Container>(&event))
+            open(*container);
+        else if (const auto* object = std::get_if<std::size_t>(&event))
+            putWhatIsLeft(scope.objects[*object], std::move(left[*object]));
+        else
+            close();
+    report_.turnTo(line);
+}
+
+std::vector<CutObject> ClippedContent::cut(const Scope& scope)
+{
+    if (scope.objects.empty())
+        return {};
+    ClippedObjects left = clipped(scope.objects, *scope.area, page_);
+    addWork(left.work);
+    report_.add(losses::crossedClipPath, left.tooMany);
+    return std::move(left.objects);
+}
+
+void ClippedContent::putWhatIsLeft(const ObjectView& object, CutObject left)
+{
+    if (left.whole)
+        return put(object.copy());
+    parts_.remove(object.copy());
+    report_.add(left.left.empty() ? losses::hiddenShape : losses::cutShape);
+    report_.add(losses::wideStroke, left.slanted);
+    for (std::size_t i = 0; i < left.left.size(); ++i) {
+        Object& part = left.left[i];
+        part.particulars.recipe = {};
+        if (i > 0)
+            part.particulars = {};
+        parts_.add(part);
+        put(std::move(part));
+    }
+}
+
+void ClippedContent::addWork(std::size_t work)
+{
+    work_ += work;
+    if (work_ > parts_.allowed(mostClipWork))
+        throw Refused{
+            Text::tr("exceeds the limit of work for clip paths; remove some clip paths.")};
+}
+
+Document ClippedContent::take(About about)
+{
+    moveTo({});
+    return containers_.take(page_, std::move(about), report_);
+}
+
+} // namespace app::svg
