@@ -157,8 +157,7 @@ void Session::load(Imported imported, const QString& path, std::optional<SceneBl
 
 bool Session::mustSaveAs() const
 {
-    return path_.isEmpty()
-           || std::ranges::any_of(losses_, [](const Loss& loss) { return !loss.remark; });
+    return path_.isEmpty() || app::mustSaveAs(losses_);
 }
 
 Document Session::beginSaving()
