@@ -142,7 +142,7 @@ Windows shapesOfObjects(const GivenValue& value, const Document& drawing, const 
     return windows;
 }
 
-// An object, or the objects of a group or layer.
+// An object, the objects of a group or layer, or a clip path of the file.
 Windows shape(const GivenValue& value, const QString& id, const Imported& imported)
 {
     const Document& drawing = imported.document;
@@ -160,6 +160,13 @@ Windows shape(const GivenValue& value, const QString& id, const Imported& import
             return shapesOfObjects(value, drawing, drawing.containers().rangeOf(each));
         if (!here.isEmpty())
             ids << here;
+    }
+    for (const NamedArea& each : imported.clipPaths) {
+        if (each.id == id && !id.isEmpty()) {
+            refuseNothing(value, each.windows);
+            return each.windows;
+        }
+        ids << each.id;
     }
     refuseName(value, id, ids, Text::tr("no shape of the drawing has an id."));
 }
