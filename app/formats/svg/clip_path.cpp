@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip paths, and viewports that hide everything outside them: the content of both is really cut.
+#include "app/formats/svg/css_shape.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/scanner.h"
 #include "app/formats/svg/tree_drawer.h"
@@ -19,9 +20,8 @@ void TreeDrawer::addClipPath(std::string_view value, const Boxed& boxed, Place& 
 {
     const auto line = report_.line();
     const Node node = node_;
-    if (!equalsIgnoringCase(value.substr(0, 4), "url("))
-        report_.add(losses::value, "clip-path: " + std::string(value));
-    else if (addClipReference(value, boxed, place))
+    const bool refers = equalsIgnoringCase(value.substr(0, 4), "url(");
+    if (refers ? addClipReference(value, boxed, place) : addCssClip(value, boxed, place))
         report_.add(losses::cutClipPath);
     report_.turnTo(line);
     node_ = node;
@@ -41,6 +41,34 @@ bool TreeDrawer::addClipReference(std::string_view reference, const Boxed& boxed
     else
         return addClipArea(clip, boxed, place);
     return false;
+}
+
+bool TreeDrawer::addCssClip(std::string_view value, const Boxed& boxed, Place& place)
+{
+    const auto clip = parseCssClip(value);
+    const auto box = clip ? cssBox(clip->box, boxed) : std::nullopt;
+    report_.add(losses::clipPathUnits, clip && !box);
+    auto shape = box ? cssShape(*clip, *box, place.lengths) : std::nullopt;
+    if (!shape) {
+        if (!clip || box)
+            report_.add(losses::value, "clip-path: " + std::string(value));
+        return false;
+    }
+    std::vector<Subpath> paths = placed({shape->path.subpaths()}, boxed.place.matrix);
+    ClipWindows windows;
+    if (!paths.empty())
+        windows.list.push_back({.shape = PathShape{Path(paths), shape->rule}});
+    return addWindows(std::move(windows), place);
+}
+
+// The box that a shape of CSS refers to, in the element's own coordinates.
+std::optional<Box> TreeDrawer::cssBox(std::string_view name, const Boxed& boxed)
+{
+    const auto is = [&](auto... names) { return (equalsIgnoringCase(name, names) || ...); };
+    if (is("view-box"))
+        return Box{{}, boxed.place.lengths.viewport};
+    const bool filled = is("fill-box", "content-box", "padding-box");
+    return boundsOf(boxed.node, boxed.place, filled ? BoxOf::Fill : BoxOf::Stroke);
 }
 
 bool TreeDrawer::addClipArea(Node clip, const Boxed& boxed, Place& place)

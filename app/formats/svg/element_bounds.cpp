@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bounding box of an element, to which its transform may refer.
 #include "app/base/text.h"
+#include "app/cut/stroke_rings.h"
 #include "app/document/bezier.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
@@ -47,14 +48,24 @@ void include(ElementBounds& bounds, const Subpath& path)
     }
 }
 
+// Adds what a stroke covers, without regard to dashes, beside its paths.
+void addStrokes(std::vector<Subpath>& paths, const Style& style)
+{
+    constexpr double tolerance = 0.001; // of its width
+    const std::size_t count = paths.size();
+    for (std::size_t i = 0; i < count && style.width > 0; ++i)
+        for (Subpath& ring : strokeRings(paths[i], style, tolerance * style.width))
+            paths.push_back(std::move(ring));
+}
+
 } // namespace
 
-std::optional<Box> TreeDrawer::boundsOf(Node node, const Place& place)
+std::optional<Box> TreeDrawer::boundsOf(Node node, const Place& place, BoxOf of)
 {
     const Report::Silence silence(report_);
     Place own = place;
     own.matrix = {};
-    ElementBounds bounds;
+    ElementBounds bounds{.ofStrokes = of == BoxOf::Stroke};
     addBounds(node, own, bounds);
     if (!bounds.isKnown)
         return std::nullopt;
@@ -70,7 +81,10 @@ void TreeDrawer::addBounds(Node node, const Place& place, ElementBounds& bounds)
                           .arg(mostBounded)};
     const auto name = tree_.name(node);
     if (const OutlineKind* kind = findOutlineKind(name)) {
-        for (const Subpath& path : placed(outlineOf(*kind, node, place), place.matrix))
+        Outline outline = outlineOf(*kind, node, place);
+        if (bounds.ofStrokes && place.properties.stroke.kind != Paint::Kind::None)
+            addStrokes(outline.paths, paints_.style(place.properties, 1, 1));
+        for (const Subpath& path : placed(std::move(outline), place.matrix))
             include(bounds, path);
     } else if (name == "g" || name == "a") {
         addBoundsOfChildren(node, place, bounds);

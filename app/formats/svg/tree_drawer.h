@@ -28,6 +28,7 @@ PathShape rectangleShape(const Box& box, const Matrix& matrix);
 
 /// The bounding box of an element's shapes.
 struct ElementBounds {
+    bool ofStrokes = false; ///< whether their strokes count, too
     Point min{}, max{};
     bool isEmpty = true;
     bool isKnown = true; ///< whether they have no texts, images and the like
@@ -81,7 +82,8 @@ private:
     void drawViewport(Node node, const Place& place, const ViewportSize& given);
     std::optional<Place> inViewport(Node node, const Place& around, const ViewportSize& given);
 
-    std::optional<Box> boundsOf(Node node, const Place& place);
+    enum class BoxOf : std::uint8_t { Fill, Stroke };
+    std::optional<Box> boundsOf(Node node, const Place& place, BoxOf of = BoxOf::Fill);
     void addBounds(Node node, const Place& place, ElementBounds& bounds);
     void addBoundsWithin(Node node, const Place& around, ElementBounds& bounds);
     void addBoundsOfChildren(Node node, const Place& place, ElementBounds& bounds);
@@ -99,6 +101,8 @@ private:
     std::optional<std::vector<PathShape>> clipShapes(Node clip, const Place& base);
     bool addClipShape(Node node, const Place& base, std::vector<PathShape>& shapes);
     bool addCut(PathShape shape, const ClipAreas& areas, std::vector<PathShape>& shapes);
+    bool addCssClip(std::string_view value, const Boxed& boxed, Place& place);
+    std::optional<Box> cssBox(std::string_view name, const Boxed& boxed);
     bool addWindows(ClipWindows windows, Place& place);
     void nameClipPath(Node clip, const ClipArea& area, const ClipAreas& around);
     const Properties& inheritedBy(Node node);
