@@ -34,6 +34,7 @@ constexpr std::size_t mostGroups =
 /// Lines of clip paths and of what they cut, together; in a larger file, one for each byte.
 constexpr std::size_t mostClipWork = 3'000'000;
 constexpr std::size_t workOfClipElement = 64; ///< of one in a clip path or mask
+constexpr std::size_t mostMaskStroke = 10'000; ///< points of one whose area is a mask
 constexpr std::size_t mostClipMeetings = 20'000'000; ///< places where boxes of lines meet
 constexpr std::size_t mostClipChords = 1'000'000;    ///< of one clip path with curves
 /// True curves are met only by clip paths with so many points and chords, and of so many points.

@@ -218,6 +218,9 @@ inline constexpr LossKind doubleId{QT_TRANSLATE_NOOP("Text", "repeated id was re
 inline constexpr LossKind cutClipPath{
     QT_TRANSLATE_NOOP("Text", "clip path was replaced by a real cut"),
     QT_TRANSLATE_NOOP("Text", "clip paths were replaced by real cuts"), true, nullptr, nullptr, false, true};
+inline constexpr LossKind cutMask{QT_TRANSLATE_NOOP("Text", "mask was replaced by a real cut"),
+                                  QT_TRANSLATE_NOOP("Text", "masks were replaced by real cuts"),
+                                  true, nullptr, nullptr, false, true};
 inline constexpr LossKind groupOpacity{
     QT_TRANSLATE_NOOP("Text", "group opacity was moved to each shape"),
     QT_TRANSLATE_NOOP("Text", "group opacities were moved to each shape"), true};

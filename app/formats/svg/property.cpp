@@ -191,6 +191,14 @@ bool setOverflow(P& p, Value text, const Given&)
     return true;
 }
 
+bool setMaskType(P& p, Value text, const Given&)
+{
+    const auto type = wordOf(text, std::array<Value, 2>{"luminance", "alpha"});
+    if (type)
+        p.maskByAlpha = *type == 1;
+    return type.has_value();
+}
+
 bool setVectorEffect(P& p, Value text, const Given&)
 {
     const auto effect = wordOf(text, std::array<Value, 2>{"none", "non-scaling-stroke"});
@@ -342,6 +350,7 @@ constexpr std::array allProperties{
     own<&P::fixedWidth>("vector-effect", setVectorEffect),
     own<&P::clipPath>("clip-path", setText<&P::clipPath>),
     own<&P::mask>("mask", setText<&P::mask>),
+    own<&P::maskByAlpha>("mask-type", setMaskType),
     own<&P::filter>("filter", setText<&P::filter>),
     own<&P::blending>("mix-blend-mode", setBlending),
     own<&P::stopColour>("stop-color", setPaint<&P::stopColour>),

@@ -21,6 +21,7 @@ Properties Properties::inherited() const
     child.displayed = initial.displayed;
     child.overflowShown = initial.overflowShown;
     child.fixedWidth = initial.fixedWidth;
+    child.maskByAlpha = initial.maskByAlpha;
     child.transform = {};
     child.clipPath = child.mask = child.filter = child.blending = {};
     child.stopColour = initial.stopColour;

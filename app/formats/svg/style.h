@@ -58,6 +58,7 @@ struct Properties {
     bool displayed = true;
     bool overflowShown = false; ///< whether content outside the element's viewport is visible
     bool fixedWidth = false;    ///< vector-effect: non-scaling-stroke
+    bool maskByAlpha = false;   ///< of a mask: whether its colours do not count
     TransformTexts transform{};
     std::string_view clipPath{}, mask{}, filter{}, blending{};
     Paint stopColour{Paint::Kind::Solid};

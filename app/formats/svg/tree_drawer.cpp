@@ -168,6 +168,8 @@ Place TreeDrawer::inside(Node node, const Place& around)
     Place place = styled(node, around);
     if (!place.properties.clipPath.empty())
         addClipPath(place.properties.clipPath, {node, place}, place);
+    if (!place.properties.mask.empty())
+        addMask({node, place}, place);
     return place;
 }
 

@@ -106,6 +106,17 @@ private:
     bool addWindows(ClipWindows windows, Place& place);
     void nameClipPath(Node clip, const ClipArea& area, const ClipAreas& around);
     const Properties& inheritedBy(Node node);
+    /// The shapes of a mask, from bottom to top.
+    struct MaskShapes {
+        ClipWindows windows{};
+        bool byAlpha = false; ///< whether colours do not count
+    };
+    void addMask(const Boxed& boxed, Place& place);
+    bool addMaskArea(Node mask, const Boxed& boxed, Place& place);
+    bool addMaskRegion(Node mask, const Boxed& boxed, const Place& base, Place& place);
+    bool addMaskContent(Node node, const Place& place, MaskShapes& shapes);
+    bool addMaskElement(Node node, const Place& around, MaskShapes& shapes);
+    bool addMaskShape(Node node, const Place& place, MaskShapes& shapes);
     void addViewportClip(const Box& viewport, Place& place);
 
     Outline outlineOf(const OutlineKind& kind, Node node, const Place& place);

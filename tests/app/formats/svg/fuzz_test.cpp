@@ -37,7 +37,7 @@ private:
             "1e400", "-1e308", "NaN",      "0",         "-",     "1e-320", "%",     "em",      "<",
             ">",     "/>",     "'",        "\"",        "&amp;", "&x;",    "url(#", "inherit", "Z",
             "A",     "c",      "matrix(",  "999999999", "\xff",  "{",      "}",     "var(--",  "/*",
-            "p:q",   "&nbsp;", "fill-box", "unset",     ";",     ":",      "--w:"};
+            "p:q",   "&nbsp;", "fill-box", "unset",     "mask", "objectBoundingBox",  "clip-path:circle(9px)",     ";",     ":",      "--w:"};
         const auto at = below(text.size());
         switch (below(6)) {
         case 0:

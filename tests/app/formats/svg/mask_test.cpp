@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Masks of opaque shapes in white and black are cuts; all others are told.
+#include <QTest>
+
+#include "tests/app/formats/svg/lengths_of.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_mask_test {
+
+namespace {
+
+QByteArray mask(const QByteArray& content, const QByteArray& attributes = {})
+{
+    return "<linearGradient id='l'><stop stop-color='#fff'/><stop offset='1'/></linearGradient>"
+           "<mask id='m' "
+           + attributes + ">" + content + "</mask>";
+}
+
+QByteArray masked(const QByteArray& elements) { return "<g mask='url(#m)'>" + elements + "</g>"; }
+
+constexpr double all = 900; // the length of the hatch
+
+} // namespace
+
+class MaskTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void plainMasks_data()
+    {
+        QTest::addColumn<QByteArray>("mask");
+        QTest::addColumn<double>("left");
+        const auto row = [](const char* name, const QByteArray& mask, double left) {
+            QTest::newRow(name) << mask << left;
+        };
+        const QByteArray box = "<rect x='20' y='15' width='60' height='70' fill='#fff'/>";
+        row("white", mask(box), 420);
+        row("white in a group",
+            mask("<g fill='white' transform='translate(10)'><rect x='10' "
+                 "y='15' width='60' height='70'/></g>"),
+            420);
+        row("black hides", mask(box + "<rect x='40' width='20' height='100'/>"), 280);
+        row("white on black shows",
+            mask(box
+                 + "<rect x='40' width='20' height='100'/><rect x='45' width='10' height='100' "
+                   "fill='#fff'/>"),
+            370);
+        row("black alone", mask("<rect width='100' height='100'/>"), 0);
+        row("nothing", mask(""), 0);
+        row("any colour by alpha", mask("<rect width='50' height='100'/>", "mask-type='alpha'"),
+            450);
+        row("stroke", mask("<path d='M50 0V100' stroke='#fff' stroke-width='20'/>"), 180);
+        row("fill and stroke",
+            mask("<rect x='40' y='5' width='20' height='90' fill='#fff' stroke='#fff' "
+                 "stroke-width='10'/>"),
+            270);
+        row("used",
+            "<defs><rect id='q' width='50' height='100'/></defs>"
+                + mask("<use href='#q' x='20' fill='#fff'/>"),
+            450);
+        row("a clip path in it",
+            "<clipPath id='c'><rect width='100' height='55'/></clipPath>"
+                + mask("<rect width='50' height='100' fill='#fff' clip-path='url(#c)'/>"),
+            250);
+        row("its rectangle",
+            mask("<rect width='100' height='100' fill='#fff'/>",
+                 "maskUnits='userSpaceOnUse' x='0' y='0' width='50' height='100'"),
+            450);
+        row("its rectangle in the box",
+            mask("<rect width='100' height='100' fill='#fff'/>", "x='0' y='0' width='.5' "
+                                                                 "height='100%'"),
+            450);
+        row("content in the box",
+            mask("<rect width='.5' height='1' fill='#fff'/>",
+                 "maskContentUnits='objectBoundingBox'"),
+            450);
+    }
+    void plainMasks()
+    {
+        QFETCH(QByteArray, mask);
+        QFETCH(double, left);
+        QCOMPARE(lengthOf(mask + masked(hatch())), left);
+        QVERIFY(reportOf(mask + masked(hatch())).contains("1 mask was replaced by a real cut"));
+    }
+
+    void otherMasksAreTold_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        const auto row = [](const char* name, const QByteArray& content) {
+            QTest::newRow(name) << content;
+        };
+        const QByteArray box = "<rect width='50' height='100' ";
+        row("grey", box + "fill='#888'/>");
+        row("soft", box + "fill='#fff' opacity='.5'/>");
+        row("in a soft group", "<g opacity='.5'>" + box + "fill='#fff'/></g>");
+        row("gradient", box + "fill='url(#l)'/>");
+        row("text", "<text fill='#fff'>x</text>");
+        row("image", "<image width='50' height='100'/>");
+        row("filter", box + "fill='#fff' filter='url(#f)'/>");
+        row("a mask in it", box + "fill='#fff' mask='url(#m)'/>");
+    }
+    void otherMasksAreTold()
+    {
+        QFETCH(QByteArray, content);
+        const QByteArray elements = mask(content) + masked(hatch());
+        QCOMPARE(lengthOf(elements), all);
+        QCOMPARE(reportOf(elements), "1 mask");
+    }
+};
+
+} // namespace formats_svg_mask_test
+
+TEST_CLASS(formats_svg_mask_test::MaskTest, Core)
+#include "tests/app/formats/svg/mask_test.moc"
