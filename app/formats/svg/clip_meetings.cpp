@@ -10,33 +10,46 @@
 namespace app::svg {
 namespace {
 
-using LineBoxes = std::vector<clipping::Window>;
+using Lines = std::vector<clipping::Segment>;
 
-clipping::Window boxAround(const Point& a, const Point& b)
+clipping::Window boxAround(const clipping::Segment& line)
 {
-    return {glm::min(a, b), glm::max(a, b)};
+    return {glm::min(line.a, line.b), glm::max(line.a, line.b)};
 }
 
-LineBoxes edgesOf(const ClipRegion& region)
+Lines edgesOf(const ClipRegion& region)
 {
-    LineBoxes boxes;
+    Lines edges;
     for (const ClipRegion::Step& step : region.steps)
         for (const auto& ring : step.rings)
             for (std::size_t i = 0; i < ring.size(); ++i)
-                boxes.push_back(boxAround(ring[i], ring[(i + 1) % ring.size()]));
-    return boxes;
+                edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    return edges;
 }
 
-// Whether boxes of both meet too often. Few cannot.
-bool meetTooOften(const LineBoxes& some, const LineBoxes& others)
+// Whether the ends of the second line are not beyond the first one, apart from rounding.
+bool dividesEnds(const clipping::Segment& line, const clipping::Segment& other)
+{
+    const Point along = line.b - line.a;
+    return cross(along, other.a - line.a) * cross(along, other.b - line.a) <= 0;
+}
+
+// Whether lines of both meet too often. Few cannot.
+bool meetTooOften(const Lines& some, const Lines& others)
 {
     if (some.size() * others.size() <= mostClipMeetings)
         return false;
-    const BoxIndex index(others);
-    std::size_t meetings = 0;
-    for (const clipping::Window& box : some) {
-        index.meeting(box, 0, [&](std::uint32_t) { ++meetings; });
-        if (meetings > mostClipMeetings)
+    std::vector<clipping::Window> boxes;
+    for (const clipping::Segment& line : others)
+        boxes.push_back(boxAround(line));
+    const BoxIndex index(boxes);
+    std::size_t near = 0, meetings = 0;
+    for (const clipping::Segment& line : some) {
+        index.meeting(boxAround(line), 0, [&](std::uint32_t i) {
+            ++near;
+            meetings += dividesEnds(line, others[i]) && dividesEnds(others[i], line);
+        });
+        if (meetings > mostClipMeetings || near > mostNearClips)
             return true;
     }
     return false;
@@ -46,19 +59,19 @@ bool meetTooOften(const LineBoxes& some, const LineBoxes& others)
 
 ClipMeetings::ClipMeetings(const Objects& objects, const ClipRegion& region, double tolerance)
 {
-    const LineBoxes edges = edgesOf(region);
+    const Lines edges = edgesOf(region);
     edges_ = edges.size();
     tooMany_ = meetTooOften(edges, edges);
-    LineBoxes lines;
+    Lines lines;
     std::vector<Chord> chords;
     objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
         chords.clear();
         flatten(object.path(), tolerance, chords);
         const std::size_t first = lines.size();
         for (const Chord& chord : chords)
-            lines.push_back(boxAround(chord.segment.a, chord.segment.b));
+            lines.push_back(chord.segment);
         if (object.style().fill && !tooMany_) {
-            const LineBoxes own(lines.begin() + std::ptrdiff_t(first), lines.end());
+            const Lines own(lines.begin() + std::ptrdiff_t(first), lines.end());
             tooMany_ = meetTooOften(own, own);
         }
     });

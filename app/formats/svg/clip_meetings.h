@@ -7,8 +7,7 @@
 namespace app::svg {
 
 /// How often lines of some objects may meet those of a clip path, one another, and those of the
-/// clip path itself: a small file may have millions of such places. Only where there are many lines
-/// it is looked at whether their boxes meet.
+/// clip path itself: a small file may have millions of such places. Few lines are not looked at.
 class ClipMeetings {
 public:
     ClipMeetings(const Objects& objects, const ClipRegion& region, double tolerance);

@@ -22,8 +22,8 @@ constexpr std::size_t mostMetadata = 16'000'000; ///< bytes of title, descriptio
 constexpr std::size_t mostNotes = 50'000'000;    ///< bytes of titles and descriptions of elements
 constexpr std::size_t mostNames =
     10'000; ///< different names of elements and attributes; SVG has 400
-constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through `use`
-constexpr std::size_t mostBounded = 500'000;         ///< elements of which boxes are computed
+constexpr std::size_t mostRepeated = 500'000; ///< elements drawn through `use`
+constexpr std::size_t mostBounded = 500'000;  ///< elements of which boxes are computed
 /// Shapes, chords and dashes together; in a file with more bytes than this, one for each byte.
 constexpr std::size_t mostParts = 10'000'000;
 constexpr std::size_t mostDeclarations = 20'000'000; ///< style rules times elements, tested
@@ -33,13 +33,14 @@ constexpr std::size_t mostGroups =
     Containers::mostContainers - Containers::mostLayers; ///< further groups are dissolved
 /// Lines of clip paths and of what they cut, together; in a larger file, one for each byte.
 constexpr std::size_t mostClipWork = 3'000'000;
-constexpr std::size_t workOfClipElement = 64; ///< of one in a clip path or mask
-constexpr std::size_t mostMaskStroke = 10'000; ///< points of one whose area is a mask
-constexpr std::size_t mostClipMeetings = 20'000'000; ///< places where boxes of lines meet
-constexpr std::size_t mostClipChords = 1'000'000;    ///< of one clip path with curves
+constexpr std::size_t workOfClipElement = 64;       ///< of one in a clip path or mask
+constexpr std::size_t mostMaskStroke = 10'000;      ///< points of one whose area is a mask
+constexpr std::size_t mostClipMeetings = 5'000'000; ///< places where lines meet
+constexpr std::size_t mostNearClips = 200'000'000;  ///< pairs of lines whose boxes meet
+constexpr std::size_t mostClipChords = 1'000'000;   ///< of one clip path with curves
 /// True curves are met only by clip paths with so many points and chords, and of so many points.
-constexpr std::size_t mostTrueClipPoints = 2'000, mostTrueClipChords = 20'000,
-                      mostTrueClippedPoints = 100'000;
-constexpr double largestCoordinate = 1e300;          ///< keeps sums and differences finite
+constexpr std::size_t mostTrueClipPoints = 10'000, mostTrueClipChords = 100'000,
+                      mostTrueClippedPoints = 1'000'000;
+constexpr double largestCoordinate = 1e300; ///< keeps sums and differences finite
 
 } // namespace app::svg

@@ -55,8 +55,8 @@ inline constexpr LossKind manyClipShapes{
     QT_TRANSLATE_NOOP("Text", "clip path with more than 1,000 shapes that overlap"),
     QT_TRANSLATE_NOOP("Text", "clip paths with more than 1,000 shapes that overlap")};
 inline constexpr LossKind crossedClipPath{
-    QT_TRANSLATE_NOOP("Text", "clip path with more than 20 million crossings of lines"),
-    QT_TRANSLATE_NOOP("Text", "clip paths with more than 20 million crossings of lines")};
+    QT_TRANSLATE_NOOP("Text", "clip path with more than 5 million crossings of lines"),
+    QT_TRANSLATE_NOOP("Text", "clip paths with more than 5 million crossings of lines")};
 inline constexpr LossKind selfClip{
     QT_TRANSLATE_NOOP("Text", "clip path that clips itself"),
     QT_TRANSLATE_NOOP("Text", "clip paths that clip themselves")};

@@ -27,6 +27,8 @@ const QByteArray drawing =
     "viewBox='-100 -50 200 100'>"
     "<rect id='box' x='-20' y='-10' width='40' height='20'/>"
     "<path id='line' d='M-99,0 99,0' stroke='black' fill='none'/>"
+    "<clipPath id='holes'><circle cx='-50' r='20'/><circle cx='50' r='20'/></clipPath>"
+    "<g clip-path='url(#holes)'><path d='M-99,0 -60,0' stroke='black'/></g>"
     "<g i:groupmode='layer' i:label='Lakes' id='lakes'><g id='both'>"
     "<circle id='lake' cx='50' cy='0' r='10'/><circle id='pond' cx='-50' cy='0' "
     "r='5'/></g></g></svg>";
@@ -117,6 +119,9 @@ private slots:
         QCOMPARE(windows("layer:Lakes")[1].name, "pond");
         QCOMPARE(windows("shape:lakes"), windows("layer:Lakes")); // its id
         QCOMPARE(windows("shape:both").size(), 2u);
+        QCOMPARE(windows("shape:holes").size(), 1u); // a clip path: circles apart are one window
+        QCOMPARE(windows("shape:holes")[0].name, "holes");
+        QCOMPARE(cornersOf(windows("shape:holes")[0]).front(), Point(-30, 0));
     }
 
     void masksLieOnTheirPapersCorner()

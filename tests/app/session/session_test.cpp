@@ -61,6 +61,21 @@ class SessionTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // Saving over the file would lose what was there.
+    void whatWasLostOrCutIsSavedUnderAnotherName()
+    {
+        const auto mustSaveAs = [](const app::Loss& loss) {
+            app::Session session;
+            app::Imported imported;
+            imported.report = {loss};
+            session.load(std::move(imported), "drawing.svg");
+            return session.mustSaveAs();
+        };
+        QVERIFY(mustSaveAs({.what = "text"}));
+        QVERIFY(!mustSaveAs({.what = "moved opacity", .remark = true}));
+        QVERIFY(mustSaveAs({.what = "clip path", .remark = true, .cut = true}));
+    }
+
     void newObjectsGoIntoTheTopmostLayerThatCanBeDrawnOn()
     {
         app::Sheet sheet;
