@@ -11,10 +11,16 @@ namespace app {
 std::span<const UnitInfo> units()
 {
     static constexpr std::array all{
-        UnitInfo{Unit::User, "", 0, 2},         UnitInfo{Unit::Mm, "mm", 1, 2},
-        UnitInfo{Unit::Cm, "cm", 10, 3},        UnitInfo{Unit::Inch, "in", 25.4, 3},
-        UnitInfo{Unit::Px, "px", 25.4 / 96, 1}, UnitInfo{Unit::Pt, "pt", 25.4 / 72, 2},
-        UnitInfo{Unit::Pc, "pc", 25.4 / 6, 3},  UnitInfo{Unit::Percent, "%", 0, 1},
+        UnitInfo{Unit::User, "", 0, 2},
+        UnitInfo{Unit::Mm, "mm", 1, 2},
+        UnitInfo{Unit::Cm, "cm", 10, 3},
+        UnitInfo{Unit::Inch, "in", 25.4, 3},
+        UnitInfo{Unit::Px, "px", 25.4 / 96, 1},
+        UnitInfo{Unit::Pt, "pt", 25.4 / 72, 2},
+        UnitInfo{Unit::Pc, "pc", 25.4 / 6, 3},
+        UnitInfo{Unit::Percent, "%", 0, 1},
+        UnitInfo{Unit::Metre, "m", 1000, 3, false},
+        UnitInfo{Unit::Foot, "ft", 304.8, 3, false},
     };
     return all;
 }

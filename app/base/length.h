@@ -8,7 +8,7 @@
 namespace app {
 
 /// Units of length. User is the drawing's own unit; the page gives its size in millimetres.
-enum class Unit { User, Px, Mm, Cm, Inch, Pt, Pc, Percent };
+enum class Unit { User, Px, Mm, Cm, Inch, Pt, Pc, Percent, Metre, Foot };
 
 /// One row of the catalogue of units.
 struct UnitInfo {
@@ -16,6 +16,7 @@ struct UnitInfo {
     std::string_view suffix; ///< in files and fields; "" for User
     double millimetres;      ///< 0 for User and Percent
     int decimals;            ///< shown in the window
+    bool inSvg = true;       ///< whether SVG files know it
 };
 std::span<const UnitInfo> units();
 const UnitInfo& infoOf(Unit unit);

@@ -22,6 +22,8 @@ double withHalfUp(double magnitude, int decimals)
                               : magnitude;
 }
 
+} // namespace
+
 QString withUnit(const QString& number, Unit unit)
 {
     const std::string_view suffix = infoOf(unit).suffix;
@@ -29,8 +31,6 @@ QString withUnit(const QString& number, Unit unit)
         return number;
     return number + u'\u00a0' + QLatin1StringView(suffix.data(), qsizetype(suffix.size()));
 }
-
-} // namespace
 
 QString numberText(double value, int decimals)
 {

@@ -30,6 +30,8 @@ double inUnit(double userUnits, Unit unit, double millimetresPerUnit);
 /// The inverse of inUnit().
 double fromUnit(double value, Unit unit, double millimetresPerUnit);
 
+/// "12 mm"; the unit follows a space that is not broken.
+QString withUnit(const QString& number, Unit unit);
 /// "210.00": with the unit's usual number of decimals, plus `more`.
 QString lengthNumber(double userUnits, Unit unit, double millimetresPerUnit, int more = 0);
 /// "210.00 mm".

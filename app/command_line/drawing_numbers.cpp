@@ -44,7 +44,7 @@ Point cornerOf(const Imported& imported)
 DrawingNumbers::DrawingNumbers(const GivenValue& value, const QString& numbers,
                                const QString& expected, const Imported& imported)
     : lengths_(lengthsOf(value, numbers, expected)), corner_(cornerOf(imported)),
-      millimetresPerUnit_(imported.document.page().millimetresPerUnit())
+      millimetresPerUnit_(imported.document.page().realMillimetresPerUnit())
 {
     refuseMixture(value, lengths_);
 }

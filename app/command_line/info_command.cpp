@@ -168,6 +168,26 @@ Rows windowRows(const ClipWindows& windows)
     return rows;
 }
 
+Rows paperRows(const Page& page)
+{
+    const auto inMillimetres = [](double length) {
+        return shortestText(withoutNoise(length)) + QStringLiteral("mm");
+    };
+    Rows rows{
+        {Text::tr("page"), Text::tr("%1, %2").arg(calculated(page.rectangle()), paperText(page))},
+        {Text::tr("unit"), inMillimetres(page.millimetresPerUnit())},
+    };
+    if (page.scale.ratio != 1)
+        rows.emplace_back(
+            Text::tr("scale"),
+            Text::tr("1:%1, a unit is %2 of the real thing")
+                .arg(shortestText(page.scale.ratio), inMillimetres(page.realMillimetresPerUnit())));
+    if (page.scale.unit)
+        rows.emplace_back(Text::tr("lengths in"),
+                          QLatin1StringView(infoOf(*page.scale.unit).suffix));
+    return rows;
+}
+
 Rows infoRows(const Imported& imported)
 {
     const Document& document = imported.document;
@@ -190,12 +210,7 @@ Rows infoRows(const Imported& imported)
     };
     for (auto& row : windowRows(document.windows()))
         rows.push_back(std::move(row));
-    const Rows paper{
-        {Text::tr("page"), Text::tr("%1, %2").arg(calculated(page.rectangle()), paperText(page))},
-        {Text::tr("unit"),
-         shortestText(withoutNoise(page.millimetresPerUnit())) + QStringLiteral("mm")},
-    };
-    for (const Rows& more : {paper, containerRows(document.containers(), lines)})
+    for (const Rows& more : {paperRows(page), containerRows(document.containers(), lines)})
         rows.insert(rows.end(), more.begin(), more.end());
     const QStringList lost = losses(imported.report);
     for (const QString& line : lost)

@@ -114,8 +114,9 @@ std::vector<Option> windowOptions()
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
          Text::tr("The clip window. Bare numbers are the drawing's own coordinates. Lengths with a "
-                  "unit, such as 10mm, count from the paper's top left corner. The two cannot be "
-                  "mixed (the drawing's clip windows, otherwise its page).")},
+                  "unit, such as 10mm or 2.5m, are real lengths at the drawing's scale, and count "
+                  "from the paper's top left corner. The two cannot be mixed (the drawing's clip "
+                  "windows, otherwise its page).")},
         {{"page"}, {}, Text::tr("Use the drawing's page as the clip window.")},
         {{"margin"},
          "LENGTH",
@@ -132,9 +133,9 @@ std::vector<Option> shapedWindowOptions()
     options.front().value = QStringLiteral("WINDOW");
     options.front().meaning =
         Text::tr("A clip window: %1. Bare numbers are the drawing's own coordinates. Lengths with "
-                 "a unit, such as 10mm, count from the paper's top left corner. May be given "
-                 "several times: each adds to what those before it keep (the drawing's clip "
-                 "windows, otherwise its page).")
+                 "a unit, such as 10mm or 2.5m, are real lengths at the drawing's scale, and count "
+                 "from the paper's top left corner. May be given several times: each adds to what "
+                 "those before it keep (the drawing's clip windows, otherwise its page).")
             .arg(forms.join(QStringLiteral(", ")));
     const std::vector<Option> more{
         {{"cut-out"}, "WINDOW", Text::tr("Cut this window out of what those before it keep.")},
@@ -247,7 +248,7 @@ QString placeText(const clipping::Window& rectangle, const Imported& imported)
 {
     const QString text = Text::tr("%1 in the drawing's coordinates").arg(rectangleText(rectangle));
     const bool inMillimetres =
-        imported.document.page().millimetresPerUnit() == 1 && cornerOf(imported) == Point{};
+        imported.document.page().realMillimetresPerUnit() == 1 && cornerOf(imported) == Point{};
     return inMillimetres ? text : text + QStringLiteral(", ") + millimetreText(rectangle, imported);
 }
 
@@ -255,7 +256,7 @@ QString millimetreText(const clipping::Window& rectangle, const Imported& import
 {
     constexpr int decimals = 3; // a micrometre
     constexpr double most = std::numeric_limits<double>::max();
-    const double unit = imported.document.page().millimetresPerUnit();
+    const double unit = imported.document.page().realMillimetresPerUnit();
     const Point corner = cornerOf(imported);
     const Point min = (rectangle.min - corner) * unit, max = (rectangle.max - corner) * unit;
     std::string numbers;

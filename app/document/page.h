@@ -72,6 +72,23 @@ struct PageSheets {
     friend bool operator==(const PageSheets&, const PageSheets&) = default;
 };
 
+/// What lengths in the drawing mean. Coordinates are never multiplied by a scale: a smaller one
+/// makes the page larger in user units.
+struct DrawingScale {
+    static constexpr double least = 1e-3, most = 1e7;
+    double ratio = 1;           ///< a real length ÷ its length on paper: 50 at 1 : 50
+    std::optional<Unit> unit{}; ///< of rulers, fields and labels; empty: that of the page's width
+    friend bool operator==(const DrawingScale&, const DrawingScale&) = default;
+};
+
+/// The margins of the page, in millimetres on paper.
+struct PaperMargins {
+    double left = 10, top = 10, right = 10, bottom = 10;
+    bool shown = false;
+    bool same() const { return left == top && top == right && right == bottom; }
+    friend bool operator==(const PaperMargins&, const PaperMargins&) = default;
+};
+
 /// The page: its rectangle in user units (the whole sheet of paper; the viewBox of an SVG) and its
 /// size on paper. Lengths with a unit are measured from `min`, the top left corner of the paper.
 struct Page {
@@ -80,13 +97,22 @@ struct Page {
     Length width{297, Unit::Mm}, height{210, Unit::Mm};
     Guides guides{};
     std::optional<PageSheets> sheets{}; ///< how it is divided, if a person has chosen it
+    DrawingScale scale{};
+    PaperMargins margins{};
     friend bool operator==(const Page&, const Page&) = default;
 
-    /// The size of a user unit in millimetres; 25.4 / 96 (1 px) if the file does not give it.
+    /// The size of a user unit on paper in millimetres; 25.4 / 96 (1 px) if the file does not give
+    /// it. For stroke widths, dashes, text sizes, margins, tolerances and all that is printed.
     double millimetresPerUnit() const;
-    /// The unit in which lengths are displayed: the unit of the page width, or pixels if the width
-    /// has none.
+    /// The real size of a user unit in millimetres: `scale.ratio` times that on paper. For all
+    /// lengths of the drawing that a person reads or types.
+    double realMillimetresPerUnit() const;
+    /// The unit in which lengths are displayed: that of the scale, otherwise that of the page
+    /// width, or pixels if the width has none.
     Unit usualUnit() const;
+    /// The unit of lengths on paper, such as stroke widths, beside drawn lengths in `unit`:
+    /// millimetres or inches, if a drawn length has another size than its picture on paper.
+    Unit paperUnit(Unit unit) const;
     clipping::Window rectangle() const { return {min, min + size}; }
 };
 

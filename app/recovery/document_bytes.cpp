@@ -16,7 +16,7 @@ void writeLength(ByteWriter& out, const Length& length)
 Length readLength(ByteReader& in)
 {
     const auto value = in.get<double>();
-    return {value, in.choice(Unit::Percent)};
+    return {value, in.choice(Unit::Foot)};
 }
 
 void writeSheets(ByteWriter& out, const PageSheets& sheets)
@@ -63,9 +63,45 @@ PageSheets readSheets(ByteReader& in)
     return sheets;
 }
 
+void writeScale(ByteWriter& out, const DrawingScale& scale)
+{
+    const auto& [ratio, unit] = scale;
+    out.put(ratio);
+    out.put(std::uint8_t(unit.value_or(Unit::User)));
+}
+
+DrawingScale readScale(ByteReader& in)
+{
+    DrawingScale scale;
+    scale.ratio = in.get<double>();
+    in.require(scale.ratio >= DrawingScale::least && scale.ratio <= DrawingScale::most);
+    const Unit unit = in.choice(Unit::Foot);
+    in.require(unit == Unit::User || infoOf(unit).millimetres > 0);
+    if (unit != Unit::User)
+        scale.unit = unit;
+    return scale;
+}
+
+void writeMargins(ByteWriter& out, const PaperMargins& margins)
+{
+    const auto& [left, top, right, bottom, shown] = margins;
+    for (const double side : {left, top, right, bottom})
+        out.put(side);
+    out.put(std::uint8_t(shown));
+}
+
+PaperMargins readMargins(ByteReader& in)
+{
+    PaperMargins margins;
+    for (double* const side : {&margins.left, &margins.top, &margins.right, &margins.bottom})
+        *side = in.get<double>();
+    margins.shown = in.flag();
+    return margins;
+}
+
 void writePage(ByteWriter& out, const Page& page)
 {
-    const auto& [min, size, width, height, guides, sheets] = page;
+    const auto& [min, size, width, height, guides, sheets, scale, margins] = page;
     out.put(min);
     out.put(size);
     writeLength(out, width);
@@ -78,6 +114,8 @@ void writePage(ByteWriter& out, const Page& page)
     out.put(std::uint8_t(sheets.has_value()));
     if (sheets)
         writeSheets(out, *sheets);
+    writeScale(out, scale);
+    writeMargins(out, margins);
 }
 
 Page readPage(ByteReader& in)
@@ -93,6 +131,8 @@ Page readPage(ByteReader& in)
     }
     if (in.flag())
         page.sheets = readSheets(in);
+    page.scale = readScale(in);
+    page.margins = readMargins(in);
     return page;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/clipboard.h"
 
+#include "app/commands/set_style.h"
 #include "app/document/tree_draft.h"
 #include "app/formats/format.h"
 #include "app/formats/svg/writer.h"
@@ -16,16 +17,13 @@ const QString ownType = QStringLiteral("application/x-clearcut+svg");
 const QString svgType = QStringLiteral("image/svg+xml");
 const QString textType = QStringLiteral("text/plain");
 
-// An object from a page with other units, scaled to this page.
-Object scaledObject(Object object, double factor)
+// An object from a page with other units, scaled to this page; its stroke by another factor.
+Object scaledObject(Object object, double factor, double strokes)
 {
     const Placement where{Point(factor)};
     object.path = object.path.placed(where);
     object.particulars.recipe = placed(object.particulars.recipe, where);
-    object.style.width *= factor;
-    object.style.dashOffset *= factor;
-    for (double& dash : object.style.dashes)
-        dash *= factor;
+    scaleStroke(object.style, strokes);
     return object;
 }
 
@@ -118,11 +116,16 @@ Document pasted(const QMimeData& data, const Page& page)
     if (!read)
         return {};
     const Document& document = read.value->document;
-    const double factor = document.page().millimetresPerUnit() / page.millimetresPerUnit();
+    // Between drawings of the program, lengths stay the real ones; strokes stay as wide on paper.
+    const double strokes = document.page().millimetresPerUnit() / page.millimetresPerUnit();
+    const double factor = data.hasFormat(ownType) ? document.page().realMillimetresPerUnit()
+                                                        / page.realMillimetresPerUnit()
+                                                  : strokes;
+    const bool same = factor == 1 && strokes == 1;
     Objects objects;
     document.objects().forEach(
         0, document.objects().size(), [&](std::size_t, const ObjectView& object) {
-            Object copy = factor == 1 ? object.copy() : scaledObject(object.copy(), factor);
+            Object copy = same ? object.copy() : scaledObject(object.copy(), factor, strokes);
             copy.particulars.id.clear();
             objects.append(copy);
         });

@@ -66,7 +66,7 @@ QString shortPieceText(const Session& session, const Difference& difference)
 {
     if (!isThere(session, difference))
         return {};
-    const double size = session.now().page().millimetresPerUnit();
+    const double size = session.now().page().realMillimetresPerUnit();
     const auto rounded = [&](double length) {
         return std::isfinite(length) ? lengthNumber(length, session.display().unit, size)
                                      : inFull(length);
@@ -97,7 +97,7 @@ double leastToRead(const Session& session)
 {
     const Unit unit = session.display().unit;
     return fromUnit(std::pow(10, -infoOf(unit).decimals), unit,
-                    session.now().page().millimetresPerUnit());
+                    session.now().page().realMillimetresPerUnit());
 }
 
 QString amountText(const Session& session, double length)
@@ -106,7 +106,7 @@ QString amountText(const Session& session, double length)
         return QStringLiteral("∞");
     const double least = leastToRead(session);
     const QString text = lengthText(std::max(length, least), session.display().unit,
-                                    session.now().page().millimetresPerUnit());
+                                    session.now().page().realMillimetresPerUnit());
     return length == 0 ? Text::tr("a point") : length < least ? QStringLiteral("< ") + text : text;
 }
 

@@ -23,7 +23,7 @@ clipping::Segment across(const clipping::Window& window)
 QString unitOfNumbers(const Page& page)
 {
     for (const UnitInfo& row : units())
-        if (row.millimetres > 0 && std::abs(page.millimetresPerUnit() / row.millimetres - 1) < 1e-9)
+        if (row.millimetres > 0 && std::abs(page.realMillimetresPerUnit() / row.millimetres - 1) < 1e-9)
             return QString::fromUtf8(row.suffix.data(), qsizetype(row.suffix.size()));
     return {};
 }

@@ -216,7 +216,7 @@ QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
 {
     if (const Misprint* misprint = line.variant.misprint)
         return {Text::tr("A known misprint: its steps are not recorded."), misprint->whatIsWrong};
-    const Measure measure{line.variant, unit, page.millimetresPerUnit(), originOf(page, unit)};
+    const Measure measure{line.variant, unit, page.realMillimetresPerUnit(), originOf(page, unit)};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
         if (step.what != What::Test) // the microscope shows tests

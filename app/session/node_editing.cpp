@@ -328,8 +328,9 @@ QString NodeEditing::whyNotJoined(const JoinRule& rule) const
 QString NodeEditing::toleranceText() const
 {
     constexpr int mostDecimals = 6;
-    const Unit unit = session_.display().unit;
-    const double millimetres = session_.now().page().millimetresPerUnit();
+    const Page& page = session_.now().page();
+    const Unit unit = page.paperUnit(session_.display().unit);
+    const double millimetres = page.millimetresPerUnit();
     const double length = inUnit(session_.arrange.joinWithin / millimetres, unit, millimetres);
     int decimals = 0;
     for (double tens = 1; decimals < mostDecimals; ++decimals, tens *= 10)

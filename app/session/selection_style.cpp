@@ -15,10 +15,7 @@ namespace {
 
 Style scaledStyle(Style style, double factor)
 {
-    style.width *= factor;
-    style.dashOffset *= factor;
-    for (double& dash : style.dashes)
-        dash *= factor;
+    scaleStroke(style, factor);
     return style;
 }
 

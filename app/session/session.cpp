@@ -2,6 +2,7 @@
 #include "app/session/session.h"
 
 #include "app/base/variant.h"
+#include "app/commands/set_style.h"
 #include "app/document/object_ranges.h"
 #include "app/document/window_shape.h"
 #include "app/scene/bounds.h"
@@ -41,6 +42,7 @@ Session::Session(QObject* parent) : QObject(parent)
     display_.variant.algorithm = &usualAlgorithm();
     pen.layer = layerForNew(now().containers());
     updateWindows();
+    followPage(true);
     new SelectionMemory(*this); // before say(), which signals the selection that it remembers
     connect(&document, &EditedDocument::changed, this, &Session::say);
     connect(&scene, &Scene::outdated, this, [this] {
@@ -225,12 +227,30 @@ void Session::exchange(Chosen& other) noexcept
     std::swap(other.guide, guide);
 }
 
+/// A page of another scale has another unit, and its strokes are as wide on paper as before.
+void Session::followPage(bool isOther)
+{
+    const Page& page = now().page();
+    const PageMeasure measure{page.millimetresPerUnit(), page.realMillimetresPerUnit(),
+                              page.usualUnit()};
+    const PageMeasure before = std::exchange(pageMeasure_, measure);
+    if (isOther || measure == before)
+        return;
+    if (measure.onPaper != before.onPaper)
+        scaleStroke(pen.style, before.onPaper / measure.onPaper);
+    if (measure.unit != before.unit && display_.unit != measure.unit)
+        display_.unit = measure.unit;
+    emit displayChanged(); // fields, bars and rulers show it
+}
+
 void Session::say(const DocumentChange& change)
 {
     if (std::exchange(selectionFollowed_, false))
         emit selectionChanged();
     if (change.drawing())
         inspect(std::nullopt);
+    if (change.page)
+        followPage(change.everything);
     if (change.windows || change.page) // without a clip window, algorithms are compared at the page
         emit previewChanged();
 }

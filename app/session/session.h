@@ -185,6 +185,7 @@ private:
     Chosen chosenAfter(const DocumentChange& change) const;
     void exchange(Chosen& other) noexcept;
     void follow(const DocumentChange& change);
+    void followPage(bool isOther);
     void say(const DocumentChange& change);
 
     Display display_;
@@ -203,6 +204,13 @@ private:
     std::optional<std::size_t> windowNumber_;
     std::size_t chosenWindow_ = 0; ///< may be hidden, or gone
     bool chosenLast_ = false;      ///< a window was chosen after the selected objects
+    /// What the page says of lengths, as far as it was followed.
+    struct PageMeasure {
+        double onPaper = 0, real = 0; ///< millimetres of a user unit
+        Unit unit = Unit::Mm;
+        friend bool operator==(const PageMeasure&, const PageMeasure&) = default;
+    };
+    PageMeasure pageMeasure_{};
     QString path_;
     std::vector<Loss> losses_;
     bool saving_ = false; ///< between beginSaving() and endSaving(), without a load()

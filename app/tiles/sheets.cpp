@@ -115,6 +115,9 @@ Document Sheets::sheet(const Tile& tile) const
                      tiling.sheet / unit,
                      {tiling.sheet.x, Unit::Mm},
                      {tiling.sheet.y, Unit::Mm}};
+    edit.page->scale = drawing.page().scale;
+    if (drawing.page().scale.ratio != 1)
+        edit.page->scale.ratio /= plan.scale; // the drawing is enlarged for its sheets
     made.apply(edit);
     if (plan.marks.any())
         addMarks(made, marksOf(tiling, tile, plan, title));

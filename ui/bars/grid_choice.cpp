@@ -29,7 +29,7 @@ GridChoice::GridChoice(app::Session& session)
     switch_->setAutoRaise(true);
     switch_->setAccessibleName(Text::tr("Grid"));
     setKeyTip(*switch_, Text::tr("Show the grid, and snap to it ({grid})"));
-    spacing_->setToolTip(Text::tr("Grid spacing on paper"));
+    spacing_->setToolTip(Text::tr("Grid spacing"));
     new RoomForText(*spacing_, QStringLiteral("000.00 mm"), 28);
     connect(switch_, &QToolButton::clicked, this, [this](bool on) {
         session_.changeDisplay([on](app::Display& display) { display.grid.shown = on; });
@@ -56,9 +56,10 @@ void GridChoice::setSpacing(double length)
 void GridChoice::follow()
 {
     const app::Display& display = session_.display();
-    const double unit = session_.now().page().millimetresPerUnit();
+    const app::Page& page = session_.now().page();
+    const double unit = page.millimetresPerUnit();
     switch_->setChecked(display.grid.shown);
-    spacing_->show(display.grid.spacing / unit, display.unit, unit);
+    spacing_->show(display.grid.spacing / unit, display.unit, page.realMillimetresPerUnit());
 }
 
 } // namespace ui

@@ -104,7 +104,7 @@ LengthField* ShapeOptions::lengthField(const Option& option)
 
 void ShapeOptions::show(LengthField& field, double length)
 {
-    field.show(length, session_.display().unit, session_.now().page().millimetresPerUnit());
+    field.show(length, session_.display().unit, session_.now().page().realMillimetresPerUnit());
 }
 
 ShapeOptions::Field ShapeOptions::makeLength(const Option& option)
@@ -143,7 +143,10 @@ ShapeOptions::Field ShapeOptions::makeTextSize(const Option& option)
             set(option, length * unit());
         follow();
     });
-    return {field, [this, field, &option, unit] { show(*field, number(option) / unit()); }};
+    return {field, [this, field, &option, unit] {
+                const app::Unit onPaper = session_.now().page().paperUnit(session_.display().unit);
+                field->show(number(option) / unit(), onPaper, unit());
+            }};
 }
 
 ShapeOptions::Field ShapeOptions::makeFont(const Option&)

@@ -205,7 +205,7 @@ void StatusBar::showPosition(std::optional<app::Point> position)
     if (!position)
         return position_->setText({});
     const app::Page& page = session_.now().page();
-    const double size = page.millimetresPerUnit();
+    const double size = page.realMillimetresPerUnit();
     const app::Unit unit = session_.display().unit;
     const app::Point place = *position - app::originOf(page, unit);
     position_->setText(
@@ -250,7 +250,7 @@ void StatusBar::showZoom()
 void StatusBar::keepRoom()
 {
     const auto& page = session_.now().page();
-    const double size = page.millimetresPerUnit();
+    const double size = page.realMillimetresPerUnit();
     const app::Unit unit = session_.display().unit;
     const double farthest = -std::max({std::abs(page.size.x), std::abs(page.size.y), 1.0});
     position_->setWidest(

@@ -122,7 +122,7 @@ void ObjectCapsule::showValues()
         if (has && !field->isBeingTyped())
             field->show(info->value(session, {}).value_or(0),
                         isAngle ? app::Unit::User : session.display().unit,
-                        isAngle ? 1 : session.now().page().millimetresPerUnit());
+                        isAngle ? 1 : session.now().page().realMillimetresPerUnit());
     }
 }
 

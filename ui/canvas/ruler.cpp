@@ -108,7 +108,7 @@ void Ruler::paintTicks(QPainter& painter, double length)
     const app::View& view = controller_.view();
     const int axis = across() ? 0 : 1;
     const app::Unit unit = controller_.session().display().unit;
-    const double perUnit = app::inUnit(1, unit, page.millimetresPerUnit());
+    const double perUnit = app::inUnit(1, unit, page.realMillimetresPerUnit());
     const clipping::Window seen = view.visible();
     const double origin = app::originOf(page, unit)[axis];
     const double from = (seen.min[axis] - origin) * perUnit,

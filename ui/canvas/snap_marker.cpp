@@ -71,7 +71,7 @@ void paintGap(QPainter& painter, const Controller& controller, const app::Alignm
     const app::Session& session = controller.session();
     const double gap = *line.gapTo - *line.gapFrom;
     const QString text =
-        app::lengthText(gap, session.display().unit, session.now().page().millimetresPerUnit());
+        app::lengthText(gap, session.display().unit, session.now().page().realMillimetresPerUnit());
     const QFontMetricsF metrics(painter.font());
     QRectF place(0, 0, metrics.horizontalAdvance(text) + 2 * room, gapHeight);
     place.moveCenter((onScreen(controller, pointOn(line, *line.gapFrom))

@@ -120,9 +120,10 @@ void TextBox::show(const TypedText& text)
         button->setChecked(text.recipe.face.*part);
     }
     const app::Session& session = controller_.session();
+    const app::Page& page = session.now().page();
     if (!size_->hasFocus())
-        size_->show(text.recipe.size, session.display().unit,
-                    session.now().page().millimetresPerUnit());
+        size_->show(text.recipe.size, page.paperUnit(session.display().unit),
+                    page.millimetresPerUnit());
     remark_->setText(text.remark);
     remark_->setVisible(!text.remark.isEmpty());
     const int lines = std::clamp(text_->blockCount(), 1, mostLines);

@@ -161,7 +161,7 @@ void WindowCapsule::showValues()
          {std::pair(width_, app::WindowValue::Width), std::pair(height_, app::WindowValue::Height)})
         if (!field->isBeingTyped())
             field->show(app::windowValue(session, which), session.display().unit,
-                        session.now().page().millimetresPerUnit());
+                        session.now().page().realMillimetresPerUnit());
 }
 
 app::WindowFrame WindowCapsule::frame() const { return *controller().session().windowFrame(); }

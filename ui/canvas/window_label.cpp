@@ -23,10 +23,11 @@ QString labelText(const Controller& controller)
         return QStringLiteral("%1°").arg(
             app::numberText(-glm::degrees(controller.session().preview().angle), 1));
     if (drag != app::Preview::Drag::Moving)
-        return app::sizeText(frame.box.max - frame.box.min, unit, page.millimetresPerUnit());
+        return app::sizeText(frame.box.max - frame.box.min, unit, page.realMillimetresPerUnit());
     const app::Point place = frame.box.min - app::originOf(page, unit);
-    return QStringLiteral("%1, %2").arg(app::lengthNumber(place.x, unit, page.millimetresPerUnit()),
-                                        app::lengthText(place.y, unit, page.millimetresPerUnit()));
+    return QStringLiteral("%1, %2").arg(
+        app::lengthNumber(place.x, unit, page.realMillimetresPerUnit()),
+        app::lengthText(place.y, unit, page.realMillimetresPerUnit()));
 }
 
 QFont labelFont(QFont font)

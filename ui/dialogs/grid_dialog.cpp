@@ -66,7 +66,7 @@ LengthField* GridDialog::makeSpacing(const QString& name, double app::Grid::*spa
             return change(spacing, millimetres);
         follow();
         refusal_->setText(
-            Text::tr("The spacing must be between %1 mm and %2 mm.")
+            Text::tr("The spacing must be between %1 mm and %2 mm on paper.")
                 .arg(app::numberText(app::Grid::least, 3), app::numberText(app::Grid::most, 0)));
     });
     connect(field, &LengthField::refused, this,
@@ -88,9 +88,10 @@ void GridDialog::change(double app::Grid::*number, double value)
 void GridDialog::follow()
 {
     const app::Grid& grid = session_.display().grid;
-    const double unit = session_.now().page().millimetresPerUnit();
-    along_->show(grid.spacing / unit, session_.display().unit, unit);
-    across_->show(grid.down / unit, session_.display().unit, unit);
+    const app::Page& page = session_.now().page();
+    const double unit = page.millimetresPerUnit(), real = page.realMillimetresPerUnit();
+    along_->show(grid.spacing / unit, session_.display().unit, real);
+    across_->show(grid.down / unit, session_.display().unit, real);
     angle_->show(grid.angle, app::Unit::User, 1);
 }
 

@@ -26,8 +26,10 @@ JoinDialog::JoinDialog(app::Session& session, const app::NodeStep& step, QWidget
     explain();
     setWindowTitle(Text::tr("Join ends"));
     setObjectName(QStringLiteral("join-dialog"));
-    const double unit = session.now().page().millimetresPerUnit();
-    distance_->show(session.arrange.joinWithin / unit, session.display().unit, unit);
+    const app::Page& page = session.now().page();
+    const double unit = page.millimetresPerUnit();
+    distance_->show(session.arrange.joinWithin / unit, page.paperUnit(session.display().unit),
+                    unit);
     connect(distance_, &LengthField::edited, this,
             [this, unit](double length) { session_.arrange.joinWithin = length * unit; });
     connect(distance_, &LengthField::taken, this, explain);

@@ -89,9 +89,10 @@ void MarginDialog::take(double app::PageMargins::*side, double margin)
 
 void MarginDialog::follow()
 {
+    const app::Page& page = session_.now().page();
     for (const auto& [field, margin] : sides_)
-        field->show(margins_.*margin, session_.display().unit,
-                    session_.now().page().millimetresPerUnit());
+        field->show(margins_.*margin, page.paperUnit(session_.display().unit),
+                    page.millimetresPerUnit());
     sayHint();
 }
 

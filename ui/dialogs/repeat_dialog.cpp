@@ -72,7 +72,7 @@ RepeatDialog::RepeatDialog(app::Session& session, QWidget* parent)
 LengthField* RepeatDialog::makeField(const QString& name, double length)
 {
     auto* field = new LengthField(name, LengthField::Range::Any, LengthField::Suffix::Unit);
-    field->show(length, session_.display().unit, session_.now().page().millimetresPerUnit());
+    field->show(length, session_.display().unit, session_.now().page().realMillimetresPerUnit());
     connect(field, &LengthField::refused, result_, &QLabel::setText);
     connect(field, &LengthField::taken, this, &RepeatDialog::follow);
     return field;

@@ -110,8 +110,13 @@ void CutOptionsBox::follow()
     close_->setChecked(choices.closeAreas);
     hidden_->setChecked(choices.cutHidden);
     const double unit = session_.now().page().millimetresPerUnit();
-    least_->show(choices.leastMillimetres / unit, session_.display().unit, unit);
+    least_->show(choices.leastMillimetres / unit, unitOnPaper(), unit);
     emit titled(title());
+}
+
+app::Unit CutOptionsBox::unitOnPaper() const
+{
+    return session_.now().page().paperUnit(session_.display().unit);
 }
 
 QString CutOptionsBox::title() const
@@ -119,11 +124,11 @@ QString CutOptionsBox::title() const
     const app::CutChoices& choices = session_.display().cutting;
     const double unit = session_.now().page().millimetresPerUnit();
     const QString areas = choices.closeAreas ? Text::tr("areas closed") : Text::tr("areas open");
-    const QString pieces = choices.leastMillimetres > 0
-                               ? Text::tr("no piece below %1")
-                                     .arg(app::lengthText(choices.leastMillimetres / unit,
-                                                          session_.display().unit, unit))
-                               : Text::tr("every piece kept");
+    const QString pieces =
+        choices.leastMillimetres > 0
+            ? Text::tr("no piece below %1")
+                  .arg(app::lengthText(choices.leastMillimetres / unit, unitOnPaper(), unit))
+            : Text::tr("every piece kept");
     return choices.cutHidden ? Text::tr("%1, %2, hidden objects too").arg(areas, pieces)
                              : Text::tr("%1, %2").arg(areas, pieces);
 }

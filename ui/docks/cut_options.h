@@ -31,6 +31,7 @@ private:
     QCheckBox* makeCheck(const QString& text, const QString& tip, bool app::CutChoices::*choice);
     void change(const app::CutChoices& choices);
     void follow();
+    app::Unit unitOnPaper() const;
 
     app::Session& session_;
     QCheckBox *close_, *hidden_;

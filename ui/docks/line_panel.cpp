@@ -128,7 +128,7 @@ void LinePanel::show()
 void LinePanel::showLine(const app::Inspection& line)
 {
     const app::Page& page = session_.now().page();
-    const double size = page.millimetresPerUnit();
+    const double size = page.realMillimetresPerUnit();
     const app::Unit unit = session_.display().unit;
     const app::Point origin = app::originOf(page, unit);
     const auto number = [&](double length) { return app::lengthNumber(length, unit, size, 1); };

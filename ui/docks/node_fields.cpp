@@ -62,7 +62,7 @@ LengthField* NodeFields::makeField(const app::NodeNumber& number)
 
 void NodeFields::follow()
 {
-    const double size = session_.now().page().millimetresPerUnit();
+    const double size = session_.now().page().realMillimetresPerUnit();
     const auto numbers = app::nodeNumbers();
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const auto value = app::nodeValue(session_, numbers[i]);

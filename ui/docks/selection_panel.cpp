@@ -136,7 +136,7 @@ void SelectionPanel::follow()
 
 void SelectionPanel::followObjects()
 {
-    const double size = session_.now().page().millimetresPerUnit();
+    const double size = session_.now().page().realMillimetresPerUnit();
     const auto numbers = app::selectionNumbers();
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const auto value = numbers[i].value(session_, frame());

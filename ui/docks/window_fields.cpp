@@ -101,7 +101,7 @@ void WindowFields::follow()
     chain_->setEnabled(has);
     for (LengthField* field : fields_)
         field->setEnabled(has);
-    const double size = session_.now().page().millimetresPerUnit();
+    const double size = session_.now().page().realMillimetresPerUnit();
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const auto which = app::WindowValue(i);
         fields_[i]->show(app::windowValue(session_, which),

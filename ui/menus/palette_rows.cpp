@@ -145,7 +145,7 @@ std::vector<PaletteRow> widthRow(MainWindow& window, const QString& typed)
 {
     constexpr double most = 1e9; // as in fields
     app::Session& session = window.session();
-    const double size = session.now().page().millimetresPerUnit();
+    const double size = session.now().page().realMillimetresPerUnit();
     const app::Unit unit = session.display().unit;
     const auto length = app::typedLength(typed, {unit, size});
     const auto number = session.windowNumber();

@@ -111,8 +111,9 @@ void StrokeRow::follow()
         return;
     showParts();
     const std::vector<app::Style> styles = app::shownStyles(session_);
-    const app::Unit unit = session_.display().unit;
-    const double size = session_.now().page().millimetresPerUnit();
+    const app::Page& page = session_.now().page();
+    const app::Unit unit = page.paperUnit(session_.display().unit);
+    const double size = page.millimetresPerUnit();
     if (!width_->isBeingTyped()) {
         if (app::common(styles, &app::Style::width))
             width_->show(styles.front().width, unit, size);

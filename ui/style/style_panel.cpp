@@ -257,7 +257,8 @@ QLayout* StylePanel::makeFillRule()
 
 app::Scale StylePanel::scale() const
 {
-    return {session_.display().unit, session_.now().page().millimetresPerUnit()};
+    const app::Page& page = session_.now().page();
+    return {page.paperUnit(session_.display().unit), page.millimetresPerUnit()};
 }
 
 void StylePanel::change(const app::ChangeStyle& change, const QString& text, app::Merging merging)

@@ -196,7 +196,7 @@ void SheetsSection::follow()
         return;
     const QScopedValueRollback quiet(following_, true);
     const app::SheetSettings& now = sheets_.settings();
-    const app::Unit unit = session_.display().unit;
+    const app::Unit unit = session_.now().page().paperUnit(session_.display().unit);
     const bool byNumber = now.byNumber;
     paper_->setCurrentText(now.paper);
     paper_->setEnabled(!byNumber);

@@ -69,7 +69,7 @@ protected:
         const clipping::Segment line = lineOf(*gesture_);
         return Text::tr("Draw line, %1")
             .arg(app::lengthText(glm::distance(line.a, line.b), bench.session.display().unit,
-                                 bench.session.now().page().millimetresPerUnit()));
+                                 bench.session.now().page().realMillimetresPerUnit()));
     }
     void follow(const Gesture& gesture, Workbench& bench) override
     {

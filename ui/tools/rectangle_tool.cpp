@@ -19,7 +19,7 @@ public:
         const double radius = keptBy(keeps(), bench, {})[2];
         if (radius <= 0)
             return {};
-        const double size = bench.session.now().page().millimetresPerUnit();
+        const double size = bench.session.now().page().realMillimetresPerUnit();
         return Text::tr("The corner radius %1 is kept. Tab, Tab, 0, Enter while drawing: sharp "
                         "corners.")
             .arg(app::lengthText(radius, bench.session.display().unit, size));

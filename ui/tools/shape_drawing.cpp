@@ -121,7 +121,7 @@ app::Gauge gaugeFrom(const app::Point& from, const app::GestureMeasure& measure,
 {
     const app::Page& page = bench.session.now().page();
     const app::Unit unit = bench.session.display().unit;
-    return {&measure, {from}, app::originOf(page, unit), {unit, page.millimetresPerUnit()}};
+    return {&measure, {from}, app::originOf(page, unit), {unit, page.realMillimetresPerUnit()}};
 }
 
 app::Gauge gaugeOfStart(const Workbench& bench)

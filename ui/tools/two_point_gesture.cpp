@@ -94,7 +94,7 @@ QString TwoPointGesture::hint(const Workbench& bench) const
     const auto last = bench.lastSides.find(typeid(*this));
     if (!gesture_ || !waits_ || last == bench.lastSides.end())
         return {};
-    const double size = bench.session.now().page().millimetresPerUnit();
+    const double size = bench.session.now().page().realMillimetresPerUnit();
     const auto length = [&](double side) {
         return app::lengthText(side, bench.session.display().unit, size);
     };

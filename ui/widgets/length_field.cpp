@@ -50,6 +50,14 @@ private:
     int room() const { return width() - 2 * margin; }
 };
 
+double stepOf(app::Unit unit)
+{
+    using app::Unit;
+    return unit == Unit::Inch || unit == Unit::Foot  ? 0.125
+           : unit == Unit::Cm || unit == Unit::Metre ? 0.1
+                                                     : 1;
+}
+
 } // namespace
 
 LengthField::LengthField(const QString& name, Range range, Suffix suffix, QWidget* parent)
@@ -112,7 +120,7 @@ void LengthField::show(double length, app::Unit unit, double millimetresPerUnit)
     unit_ = unit;
     millimetresPerUnit_ = millimetresPerUnit;
     setDecimals(keptDecimals);
-    setSingleStep(unit == app::Unit::Inch ? 0.125 : unit == app::Unit::Cm ? 0.1 : 1);
+    setSingleStep(stepOf(unit));
     setValue(app::inUnit(length, unit, millimetresPerUnit));
     shown_ = value();
     showsNumber_ = true;

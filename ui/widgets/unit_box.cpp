@@ -12,7 +12,7 @@ namespace ui {
 std::vector<app::Unit> shownUnits()
 {
     using app::Unit;
-    return {Unit::Mm, Unit::Cm, Unit::Inch, Unit::Px, Unit::Pt};
+    return {Unit::Mm, Unit::Cm, Unit::Metre, Unit::Inch, Unit::Foot, Unit::Px, Unit::Pt};
 }
 
 UnitButton::UnitButton(app::Session& session, QWidget* parent) : QToolButton(parent)

@@ -24,8 +24,9 @@ std::optional<double> Lengths::parse(std::string_view text, double of) const
         return *number * fontSize;
     if (equalsIgnoringCase(suffix, "ex"))
         return *number * fontSize / 2;
-    const auto unit = std::ranges::find_if(
-        units(), [&](const UnitInfo& info) { return equalsIgnoringCase(info.suffix, suffix); });
+    const auto unit = std::ranges::find_if(units(), [&](const UnitInfo& info) {
+        return info.inSvg && equalsIgnoringCase(info.suffix, suffix);
+    });
     if (unit == units().end())
         return std::nullopt;
     return toUserUnits({*number, unit->unit}, pixel, of);

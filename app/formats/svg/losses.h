@@ -178,6 +178,12 @@ inline constexpr LossKind unreadableSheets{
     QT_TRANSLATE_NOOP("Text", "division among sheets with a missing or invalid number"),
     QT_TRANSLATE_NOOP("Text", "divisions among sheets with a missing or invalid number")};
 
+inline constexpr LossKind unreadableScale{
+    QT_TRANSLATE_NOOP("Text", "scale, unit or margins of the page that are not valid"),
+    QT_TRANSLATE_NOOP("Text", "scales, units or margins of pages that are not valid"), false,
+    QT_TRANSLATE_NOOP("Text", "the usual ones are used"),
+    QT_TRANSLATE_NOOP("Text", "the usual ones are used")};
+
 inline constexpr LossKind invertedWindow{
     QT_TRANSLATE_NOOP("Text", "inverted clip window"),
     QT_TRANSLATE_NOOP("Text", "inverted clip windows"), false,

@@ -17,7 +17,7 @@ constexpr Length wholeWidth{100, Unit::Percent}; // SVG's default for a missing 
 Length readSize(std::string_view text)
 {
     const auto length = parseLength(text);
-    if (length && length->value > 0)
+    if (length && length->value > 0 && infoOf(length->unit).inSvg)
         return length->unit == Unit::User ? Length{length->value, Unit::Px} : *length;
     const auto pixels = Lengths{}.parse(text, 0); // other units such as "30em"
     return pixels && *pixels > 0 ? Length{*pixels, Unit::Px} : wholeWidth;

@@ -8,6 +8,7 @@
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/page.h"
 #include "app/formats/svg/refused.h"
+#include "app/formats/svg/scale_text.h"
 #include "app/formats/svg/sheets_text.h"
 #include "app/formats/svg/tree_drawer.h"
 #include "app/formats/svg/window_text.h"
@@ -61,6 +62,7 @@ Imported import(const Tree& tree, Report& report)
     refuseUnusable(page);
     page.guides = readGuides(tree, report);
     page.sheets = readSheets(tree, report);
+    readScale(tree, page, report);
     document.apply({.windows = readWindows(tree, report), .page = std::move(page)});
     imported.drawn = drawnOf(root, document);
     imported.report = report.losses();

@@ -11,6 +11,7 @@
 #include "app/formats/svg/length.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/recipe_text.h"
+#include "app/formats/svg/scale_text.h"
 #include "app/formats/svg/sheets_text.h"
 #include "app/formats/svg/style_text.h"
 #include "app/formats/svg/window_text.h"
@@ -104,7 +105,8 @@ private:
         appendLine(about.description);
         appendLine(about.metadata);
         if (const std::string own =
-                textOf(document_.windows()) + textOf(page.guides) + textOf(page.sheets);
+                textOf(document_.windows()) + textOf(page.guides) + textOf(page.sheets)
+                + (scale_ == 1 ? scaleTextOf(page) : std::string());
             !own.empty())
             text_.append("<metadata>").append(own).append("</metadata>\n");
     }

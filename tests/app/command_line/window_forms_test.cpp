@@ -101,6 +101,28 @@ private slots:
                  app::WindowShape(RectangleShape{{{-100, -50}, {100, 50}}}));
     }
 
+    /// At 1 : 50 a unit is a real millimetre: `--margin` is on paper.
+    void lengthsAreRealAtTheScaleOfTheDrawing()
+    {
+        const QByteArray plan =
+            "<svg xmlns='http://www.w3.org/2000/svg' xmlns:c='urn:clearcut:1' width='297mm' "
+            "height='210mm' viewBox='0 0 14850 10500'><metadata><c:page scale='50' unit='m'/>"
+            "</metadata><path d='M0,1000H14850' stroke='black'/></svg>";
+        const auto ends = [&](const QStringList& options) {
+            const auto run = clearcut(
+                QStringList{"clip", "-", "--from", "svg", "--to", "csv", "-o", "-", "-q"} + options,
+                plan);
+            return run.code == 0 ? run.out.split('\n').value(1) : run.err;
+        };
+        QVERIFY2(ends({"-w", "0.5m,0.5m,250cm,2500mm"}).startsWith("500,1000,2500,1000"),
+                 ends({"-w", "0.5m,0.5m,250cm,2500mm"}));
+        QVERIFY(ends({"-w", "1ft,0ft,10ft,10ft"}).startsWith("304.8,1000,3048,1000"));
+        QVERIFY(ends({"--page", "--margin", "10mm"}).startsWith("500,1000,14350,1000"));
+        const auto told = clearcut({"info", "-", "--from", "svg"}, plan);
+        QVERIFY2(told.out.contains("1:50, a unit is 1mm of the real thing"), told.out);
+        QVERIFY(told.out.contains("0.02mm"));
+    }
+
     void circlesAndPolygons()
     {
         const auto circle = std::get<PathShape>(windows("circle:50mm,25mm,5mm").front().shape);

@@ -58,8 +58,12 @@ public:
 
     app::Length length()
     {
-        const auto& unit = app::units()[1 + below(app::units().size() - 1)]; // bare numbers are px
-        return {1 + std::abs(number()), unit.unit};
+        std::vector<app::Unit> units; // bare numbers are px
+        for (const app::UnitInfo& row : app::units())
+            if (row.inSvg && row.unit != app::Unit::User)
+                units.push_back(row.unit);
+        const app::Unit unit = units[below(units.size())];
+        return {1 + std::abs(number()), unit};
     }
 
     app::Guides guides()
@@ -91,6 +95,24 @@ public:
         return sheets;
     }
 
+    app::DrawingScale scale()
+    {
+        const app::Unit units[]{app::Unit::Mm, app::Unit::Metre, app::Unit::Foot};
+        app::DrawingScale scale;
+        if (below(2))
+            scale.ratio = 0.5 + std::abs(number());
+        if (below(2))
+            scale.unit = units[below(std::size(units))];
+        return scale;
+    }
+
+    app::PaperMargins margins()
+    {
+        const auto side = [&] { return std::abs(number()); };
+        return below(2) ? app::PaperMargins{}
+                        : app::PaperMargins{side(), side(), side(), side(), below(2) == 0};
+    }
+
     // As proportionate as the sheet of paper that it is, or open in a direction.
     app::Page page()
     {
@@ -102,6 +124,8 @@ public:
         page.guides = guides();
         if (below(2))
             page.sheets = sheets();
+        page.scale = scale();
+        page.margins = margins();
         return page;
     }
 
