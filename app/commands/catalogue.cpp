@@ -37,6 +37,7 @@ std::span<const CommandKind> commandKinds()
         SetWindows::row,
         SetGuides::row,
         SetSheets::row,
+        ChangePage::row,
         SetContainers::row,
         RemoveLayer::row,
         CropToWindow::row,

@@ -21,6 +21,16 @@ public:
     SetSheets(EditedDocument& document, std::optional<PageSheets> sheets, const QString& text);
 };
 
+/// Sets size, place, scale and margins of the page. At another scale, strokes are as wide on paper
+/// as before, and no other length of the drawing changes.
+class ChangePage : public EditCommand {
+public:
+    static constexpr CommandKind row{"change-page", "Changes the page or the drawing's scale"};
+
+    /// `containers` is the tree with the styles of new objects, if they change.
+    ChangePage(EditedDocument& document, const Page& page, std::optional<Containers> containers);
+};
+
 /// Adds, removes or changes clip windows, or sets which side of them is kept.
 class SetWindows : public EditCommand {
 public:

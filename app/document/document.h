@@ -83,11 +83,12 @@ Edit adding(const Document& document, const Objects& objects, ContainerId into);
 /// order.
 Edit adding(const Document& document, std::span<const PendingObject> objects);
 
-/// A drawing without objects, on an A3 sheet.
-inline Document newDrawing()
+/// A drawing without objects; by default on an A3 sheet.
+inline Document newDrawing(const Page& page = {
+                               {0, 0}, {420, 297}, {420, Unit::Mm}, {297, Unit::Mm}})
 {
     Document document;
-    document.apply({.page = Page{{0, 0}, {420, 297}, {420, Unit::Mm}, {297, Unit::Mm}}});
+    document.apply({.page = page});
     return document;
 }
 

@@ -84,13 +84,27 @@ std::optional<Edit> readStyles(ByteReader& in, const Document& document,
 
 } // namespace
 
+// The parts other than objects that the edit set, whose undoing is `back`.
+static Edit settingOf(const Edit& back, const Document& now)
+{
+    Edit set;
+    if (back.containers)
+        set.containers = now.containers();
+    if (back.windows)
+        set.windows = now.windows();
+    if (back.page)
+        set.page = now.page();
+    return set;
+}
+
 Objects writeChange(ByteWriter& out, const EditCommand& command, const Document& now)
 {
     Objects written;
     const Edit& back = command.next();
     const std::vector<Splice> splices = inverse(back.splices);
-    const bool plain = !back.containers && !back.windows && !back.page && exchanges(splices);
-    const How how = plain ? command.derivation().how : How::Unknown;
+    const bool plain = !back.containers && !back.windows && !back.page;
+    const How meant = command.derivation().how;
+    const How how = exchanges(splices) && (plain || meant == How::Restyled) ? meant : How::Unknown;
     out.put(how);
     writeSplices(out, splices);
     if (how == How::Placed) {
@@ -99,17 +113,11 @@ Objects writeChange(ByteWriter& out, const EditCommand& command, const Document&
         out.put(command.derivation().map);
     } else if (how == How::Restyled) {
         writeStyles(out, now, splices);
+        writeSetting(out, settingOf(back, now));
     } else {
-        Edit rest;
-        if (back.containers)
-            rest.containers = now.containers();
-        if (back.windows)
-            rest.windows = now.windows();
-        if (back.page)
-            rest.page = now.page();
         written = addedObjects(now, splices);
         ObjectBytes().write(out, written);
-        writeSetting(out, rest);
+        writeSetting(out, settingOf(back, now));
     }
     return written;
 }
@@ -141,6 +149,7 @@ std::optional<Change> readChange(ByteReader& in, const Document& document)
         if (!edit)
             return std::nullopt;
         change.edit = std::move(*edit);
+        readSetting(in, change.edit);
     } else {
         change.edit.objects = document.objects().slice(0, 0);
         ObjectReader().read(in, change.edit.objects);

@@ -33,6 +33,7 @@ class HostileSettingsTest : public QObject {
                 "snapKinds",
                 "snap",
                 "grid",
+                "page",
                 "windowDragged",
                 "recent",
                 "compareForms",

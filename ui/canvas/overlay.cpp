@@ -7,6 +7,7 @@
 #include "ui/canvas/difference_overlay.h"
 #include "ui/canvas/grid_paint.h"
 #include "ui/canvas/group_overlay.h"
+#include "ui/canvas/margin_paint.h"
 #include "ui/canvas/snap_marker.h"
 #include "ui/canvas/window_overlay.h"
 #include "ui/tools/end_drag.h"
@@ -175,6 +176,7 @@ void paintPaper(QPainter& painter, const Controller& controller)
     painter.fillRect(QRectF(0, 0, view.size.x, view.size.y), controller.paperLook().canvas);
     painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.paperLook().border);
     painter.fillRect(sheet, controller.pageColour());
+    paintMargins(painter, controller);
     paintGrid(painter, controller);
     if (const app::Guides* guides = controller.bench().guides())
         for (const app::Guide& guide : guides->list)

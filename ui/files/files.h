@@ -39,7 +39,7 @@ public:
     /// written or waited for.
     using Answer = std::function<void(bool)>;
 
-    void startNew(std::function<void()> started = {}); ///< an empty A3 sheet
+    void startNew(std::function<void()> started = {}); ///< on the last page
     void clear();                                      ///< the same here, without a question
     void open();
     void open(const QString& path);

@@ -2,10 +2,12 @@
 #include "app/base/memory.h"
 #include "app/document/document.h"
 #include "app/formats/loss_text.h"
+#include "app/session/last_page.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 
 #include <QFileInfo>
+#include <QSettings>
 
 #include <new>
 
@@ -102,7 +104,8 @@ void Files::startNew(std::function<void()> started)
     if (Files* there = placeFor(); there != this)
         return there ? there->startNew(std::move(started)) : void();
     replace([this, started = std::move(started)](const Turn&) {
-        if (show({app::newDrawing(), {}}, {}, {}) && started)
+        const app::Page page = app::pageFromText(QSettings().value("page").toString());
+        if (show({app::newDrawing(page), {}}, {}, {}) && started)
             started();
     });
 }

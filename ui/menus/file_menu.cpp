@@ -99,6 +99,13 @@ MenuInfo fileMenu()
                 },
                 {},
                 {
+                    .key = "page",
+                    .text = Text::tr("Pa&ge…"),
+                    .keys = {K("Ctrl+Alt+P")},
+                    .icon = "page",
+                    .run = [](MainWindow& w) { showSheet(w, "page"); },
+                },
+                {
                     .key = "export",
                     .text = Text::tr("&Export cut drawing…"),
                     .keys = {K("Ctrl+E")},

@@ -2,6 +2,7 @@
 #include "ui/sheets/sheets.h"
 
 #include "app/base/text.h"
+#include "ui/sheets/page_sheet.h"
 #include "ui/sheets/settings_sheet.h"
 #include "ui/window/main_window.h"
 
@@ -23,7 +24,8 @@ Sheet* make(MainWindow& window)
 // THE CATALOGUE. To add a sheet: add its row, and the row of its command in a menu.
 std::span<const SheetInfo> sheets()
 {
-    static constexpr std::array all{SheetInfo{"settings", make<SettingsSheet>}};
+    static constexpr std::array all{SheetInfo{"page", make<PageSheet>},
+                                    SheetInfo{"settings", make<SettingsSheet>}};
     return all;
 }
 

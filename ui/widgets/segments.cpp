@@ -9,6 +9,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
@@ -24,8 +26,18 @@ public:
         setAutoExclusive(true); // as the group does: so that it is read as a radio button
         setFocusPolicy(Qt::TabFocus);
     }
+    void setPicture(const QIcon& picture)
+    {
+        isPicture_ = true;
+        setIcon(picture);
+        setIconSize({pictureWidth, pictureHeight});
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    }
     QSize sizeHint() const override
     {
+        if (isPicture_)
+            return {std::max(pictureWidth, fontMetrics().horizontalAdvance(text())) + 10,
+                    pictureHeight + fontMetrics().height() + 12};
         return {icon().isNull() ? fontMetrics().horizontalAdvance(text()) + 20 : 32,
                 space::fieldHeight};
     }
@@ -55,6 +67,13 @@ protected:
             painter.setPen(QPen(look.selection, 2));
             painter.drawRect(rect().adjusted(1, 1, -1, -1));
         }
+        if (isPicture_) {
+            const int under = height() - fontMetrics().height() - 5;
+            icon().paint(&painter, {(width() - pictureWidth) / 2, 5, pictureWidth, pictureHeight});
+            painter.setPen(palette().color(QPalette::WindowText));
+            return painter.drawText(QRect(0, under, width(), fontMetrics().height()),
+                                    Qt::AlignCenter, text());
+        }
         if (!icon().isNull()) {
             QRect middle({}, iconSize());
             middle.moveCenter(rect().center());
@@ -66,7 +85,10 @@ protected:
     }
 
 private:
+    static constexpr int pictureWidth = 26, pictureHeight = 20;
+
     Place place_;
+    bool isPicture_ = false; ///< the icon is above the text, not instead of it
 };
 
 } // namespace
@@ -101,6 +123,12 @@ void Segments::setIcons(const std::vector<std::string_view>& keys)
         button->setIconSize({18, 18});
         button->setToolTip(button->text());
     }
+}
+
+void Segments::setPictures(const std::vector<QIcon>& pictures)
+{
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        static_cast<Segment*>(group_.button(int(i)))->setPicture(pictures[i]);
 }
 
 void Segments::setTips(const QStringList& tips)

@@ -20,6 +20,8 @@ public:
 
     /// Shows an icon instead of each text, which becomes the tooltip.
     void setIcons(const std::vector<std::string_view>& keys);
+    /// Shows a picture above each text.
+    void setPictures(const std::vector<QIcon>& pictures);
     void setTips(const QStringList& tips); ///< the tooltip of each button
     /// Disables a button and says why in its tooltip; empty: it is enabled, with its own tooltip.
     void setReason(int index, const QString& why);

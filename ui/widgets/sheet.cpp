@@ -63,7 +63,7 @@ void Sheet::addHeading(QVBoxLayout& column, const QString& title)
     close->setObjectName(QStringLiteral("close-sheet"));
     close->setFocusPolicy(Qt::TabFocus);
     heading_->add(close);
-    connect(close, &QToolButton::clicked, this, &Sheet::closeWanted);
+    connect(close, &QToolButton::clicked, this, &Sheet::leave);
     column.addWidget(heading_);
     column.addWidget(rule(Qt::Horizontal));
 }
@@ -123,7 +123,7 @@ void Sheet::focusFirst()
 void Sheet::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape)
-        return emit closeWanted();
+        return leave();
     QWidget::keyPressEvent(event);
 }
 

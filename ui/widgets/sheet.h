@@ -28,6 +28,9 @@ public:
     void setRemark(const QString& remark); ///< muted, after the title
     /// Takes the width that suits a window of this width.
     void fitTo(int widthOfWindow);
+    /// What Esc and the button in the heading do. A sheet whose changes show at once may first take
+    /// them back.
+    virtual void leave() { emit closeWanted(); }
     void focusFirst(); ///< gives the focus to the first widget of the body that takes it
 
 signals:

@@ -2,6 +2,7 @@
 #include "ui/files/files.h"
 #include "ui/look/window_place.h"
 #include "ui/widgets/panel_list.h"
+#include "ui/widgets/sheet.h"
 #include "ui/window/centre.h"
 #include "ui/window/keyboard.h"
 #include "ui/window/main_window.h"
@@ -98,7 +99,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
         if (canvas_->focusProxy()->hasFocus() && isPresenting())
             return togglePresenting();
         if (sheet() && canvas_->focusProxy()->hasFocus())
-            return closeSheet();
+            return sheet()->leave();
         return canvas_->setFocus(); // from a list or a field
     }
     const auto key = keyAtItsPlace(*event);

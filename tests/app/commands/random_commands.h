@@ -167,6 +167,16 @@ private:
         windows.keep = app::Keep(random_.below(2));
         return new app::SetWindows(document_, windows, "Windows");
     }
+    // The scale goes to and fro, so that it stays within its limits.
+    app::UndoCommand* changePage()
+    {
+        app::Page page = now().page();
+        const double factor = page.scale.ratio > 8 ? 0.5 : std::array{1.0, 2.0}[random_.below(2)];
+        page.size *= factor;
+        page.scale.ratio *= factor;
+        page.margins = random_.margins();
+        return new app::ChangePage(document_, page, std::nullopt);
+    }
     app::UndoCommand* setContainers()
     {
         const app::Containers& tree = now().containers();
@@ -272,6 +282,7 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
      [](RandomCommands& r) -> app::UndoCommand* {
          return new app::SetSheets(r.document_, r.random_.sheets(), "Sheets");
      }},
+    {"change-page", [](RandomCommands& r) { return r.changePage(); }},
     {"set-windows", [](RandomCommands& r) { return r.setWindows(); }},
     {"set-containers", [](RandomCommands& r) { return r.setContainers(); }},
     {"remove-layer", [](RandomCommands& r) { return r.removeLayer(); }},
