@@ -150,7 +150,7 @@ private slots:
         Journal journal(session.document, session.history, home.filePath("unsaved"),
                         {1'000'000'000, 0.002});
         RandomWork work(session, 5);
-        for (int round = 0; round < 120; ++round) {
+        for (int round = 0; round < 150; ++round) {
             work.open();
             for (auto n = 3 + round % 12; n > 0; --n)
                 work.act();
@@ -160,7 +160,7 @@ private slots:
             QVERIFY2(found->document == session.now(), qPrintable(QString::number(round)));
             QVERIFY(stateOf(*found) == stateOf(session.now(), session.history));
         }
-        QVERIFY(work.pastes() > 50);
+        QVERIFY2(work.pastes() > 50, qPrintable(QString::number(work.pastes())));
     }
 };
 

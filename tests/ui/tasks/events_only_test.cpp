@@ -7,7 +7,7 @@
 
 namespace tasks_events_only_test {
 
-// The tasks use the mouse and the keyboard alone, and each is one of the forty.
+// The tasks use the mouse and the keyboard alone, and each is one of the list.
 class EventsOnlyTest : public QObject {
     Q_OBJECT
 
@@ -62,8 +62,8 @@ private slots:
         for (const char* const plumbing :
              {"auto& canvas = window_.window->canvas();", "canvas.settle();",
               "window_.window->canvas().view().toScreen(p)", "window_.window->files().wait();",
-              "window_.window->session().now().objects()", "file.value->document.objects()",
-              "the session is only read"}) {
+              "window_.window->session().now().objects()", "window_.window->session().now().page()",
+              "file.value->document.objects()", "the session is only read"}) {
             QVERIFY2(source.contains(plumbing), plumbing);
             source.remove(plumbing);
         }
@@ -74,7 +74,7 @@ private slots:
         const auto found = other.match(source);
         QVERIFY2(!found.hasMatch(), qPrintable(found.captured()));
     }
-    void everyTaskIsInTheListOfForty()
+    void everyTaskIsInTheList()
     {
         static const QRegularExpression row(QStringLiteral("^\\| (\\d+) \\| `(\\w+)`"),
                                             QRegularExpression::MultilineOption);
@@ -91,7 +91,7 @@ private slots:
         names.sort();
         written.sort();
         QCOMPARE(written, names); // each once
-        QCOMPARE(names.size(), 40);
+        QVERIFY(names.size() >= 42);
         QCOMPARE(names.removeDuplicates(), 0);
         QVERIFY(!list.contains("not\nwritten") && !list.contains("not written"));
     }

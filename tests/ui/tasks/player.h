@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/paper.h"
 #include "app/formats/format.h"
 #include "ui/tools/tool.h"
 
@@ -168,6 +169,13 @@ public:
             if (const auto file = app::readFile(window_.path("exported.svg")))
                 append(table, file.value->document.objects());
         return table;
+    }
+
+    /// The page as a path: its corners in the drawing, and its size on paper.
+    Drawn page() const
+    {
+        const app::Page& page = window_.window->session().now().page();
+        return {{page.min, page.rectangle().max, app::millimetresOf(page)}};
     }
 
 private:
@@ -366,13 +374,19 @@ inline QString difference(const Table& drawn, const Table& expected)
     return {};
 }
 
-inline Table played(const Steps& steps, std::optional<std::size_t> without = {})
+enum class WithPage : std::uint8_t { No, Yes };
+
+inline Table played(const Steps& steps, WithPage withPage,
+                    std::optional<std::size_t> without = {})
 {
     Player player;
     for (std::size_t i = 0; i < steps.size(); ++i)
         if (i != without)
             steps[i].play(player);
-    return player.drawn();
+    Table table = player.drawn();
+    if (withPage == WithPage::Yes)
+        table.push_back(player.page());
+    return table;
 }
 
 /// The actions of a task according to the table of README.md; empty: it is not in the table.
@@ -390,19 +404,26 @@ inline std::optional<int> listedActions(QString task)
 
 /// Plays the task, and plays it again without each of its steps (each tenth). `fault` says what is wrong with a
 /// drawing, nothing only with that of all steps.
-inline void checkBy(const Steps& steps, const std::function<QString(const Table&)>& fault)
+inline void checkBy(const Steps& steps, const std::function<QString(const Table&)>& fault,
+                    WithPage withPage = WithPage::No)
 {
     if (const auto listed = listedActions(QTest::currentTestFunction()))
         QCOMPARE(actionsOf(steps), *listed);
-    const QString wrong = fault(played(steps));
+    const QString wrong = fault(played(steps, withPage));
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
     for (std::size_t i = 0; i < steps.size(); i += tests::caseStep())
-        QVERIFY2(!fault(played(steps, i)).isEmpty(),
+        QVERIFY2(!fault(played(steps, withPage, i)).isEmpty(),
                  qPrintable(QString("step %1 (%2) is not needed").arg(i + 1).arg(steps[i].what)));
 }
 inline void check(const Steps& steps, const Table& expected)
 {
     checkBy(steps, [&](const Table& drawn) { return difference(drawn, expected); });
+}
+/// The last path of the table is the page (Player::page).
+inline void checkWithPage(const Steps& steps, const Table& expected)
+{
+    checkBy(
+        steps, [&](const Table& drawn) { return difference(drawn, expected); }, WithPage::Yes);
 }
 
 } // namespace tasks
