@@ -15,7 +15,9 @@ Format csvFormat()
             Holds::SeparateLines,
             StoresHidden::No,
             Text::tr("%1 layers (further layers become one), and as many lines as memory holds")
-                .arg(countText(Containers::mostLayers))};
+                .arg(countText(Containers::mostLayers)),
+            Text::tr("coordinates"),
+            {.precision = true}};
 }
 
 } // namespace app

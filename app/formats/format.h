@@ -55,6 +55,9 @@ struct Imported {
 struct WriteOptions {
     int precision = -1;   ///< decimals; -1: the shortest text that reads back bit for bit
     double dpi = 96;      ///< PNG only
+    /// Painted on the whole page, behind the drawing. Empty: what is usual, which is white in a
+    /// picture and nothing elsewhere. With alpha 0 a picture is transparent.
+    std::optional<Colour> background{};
     double tolerance = 0; ///< user units; flattening where the format has no curves; 0: usual
     /// With a limited precision, numbers are rounded and then moved inward, so that the written
     /// decimals lie in this rectangle.
@@ -73,6 +76,14 @@ enum class Holds : std::uint8_t { Paths, SeparateLines };
 /// Whether the format can store hidden objects as hidden.
 enum class StoresHidden : std::uint8_t { No, Yes };
 
+/// Which members of WriteOptions a format takes, and whether its files have a page of their own.
+struct FormatTakes {
+    bool dpi = false;
+    bool background = false;
+    bool precision = false;
+    bool paper = false;
+};
+
 /// One row of the catalogue of file formats. A null function: not supported.
 struct Format {
     std::string_view key; ///< "svg": the file name extension, and the value of --from and --to
@@ -85,6 +96,8 @@ struct Format {
     Holds holds = Holds::Paths;
     StoresHidden hides = StoresHidden::No;
     QString limits{}; ///< the largest content of a file, worded to follow "at most "; may be empty
+    QString purpose{}; ///< what its files are for, in two words: "edit again"
+    FormatTakes takes{};
 };
 
 /// All formats, in menu order; the first one is the native format.

@@ -4,6 +4,14 @@
 
 namespace app {
 
-Format pdfFormat() { return {"pdf", Text::tr("PDF document"), nullptr, pdf::write}; }
+Format pdfFormat()
+{
+    return {.key = "pdf",
+            .name = Text::tr("PDF document"),
+            .read = nullptr,
+            .write = pdf::write,
+            .purpose = Text::tr("print"),
+            .takes = {.background = true, .precision = true, .paper = true}};
+}
 
 } // namespace app

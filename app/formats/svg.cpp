@@ -19,7 +19,9 @@ Format svgFormat()
         Text::tr("elements nested %1 deep; %2 points, or one for each byte of a larger file; %3 "
                  "layers (further layers become one)")
             .arg(countText(svg::deepestNesting), countText(svg::mostParts),
-                 countText(Containers::mostLayers))};
+                 countText(Containers::mostLayers)),
+        Text::tr("edit again"),
+        {.precision = true, .paper = true}};
 }
 
 } // namespace app

@@ -99,6 +99,15 @@ std::optional<QString> faultOfPage(const Page& page)
                     "381 km. Change the width and height of the page.");
 }
 
+/// The whole page as a filled area.
+Object pageOf(const Paper& paper, const Colour& colour)
+{
+    const Point size = paper.millimetres / paper.millimetresPerUnit;
+    const Point from = paper.corner, to = from + size;
+    const Subpath around{from, {{{to.x, from.y}}, {to}, {{from.x, to.y}}}, true};
+    return {.path = Path({&around, 1}), .style = {.stroke = std::nullopt, .fill = colour}};
+}
+
 // Adds a page as the object `number`, and its content as the next one.
 void addPage(ObjectWriter& objects, std::size_t number, const Document& document,
              const WriteOptions& options)
@@ -111,6 +120,8 @@ void addPage(ObjectWriter& objects, std::size_t number, const Document& document
 
     Content content(options);
     content.place(scale, {-paper.corner.x * scale, size.y + paper.corner.y * scale});
+    if (options.background && options.background->alpha > 0)
+        content.paint(pageOf(paper, *options.background));
     visitSeen(document, [&](const Object& object) { content.paint(object); });
     objects.add(pageObject(size, userUnit, number + 1, content.resources()));
     objects.addStream(content.bytes());

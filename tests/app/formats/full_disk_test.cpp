@@ -8,6 +8,7 @@
 #include "app/command_line/command.h"
 #include "app/cost_map/files.h"
 #include "app/experiment/paper_tables.h"
+#include "app/export/export_file.h"
 #include "app/formats/csv/table_cut.h"
 #include "app/formats/format.h"
 #include "app/judge/example_files.h"
@@ -132,6 +133,15 @@ std::vector<Writer> madeWriters()
                                            {}},
                                           path, *findFormat(u"pdf"), {});
                    }});
+    for (const Format* format : exportFormats())
+        all.push_back({"export", latin(format->key), [format](const QString& path) {
+                           const ExportSource source{
+                               documentOf(twoLines()), {}, usualAlgorithm().corrected.clipAll, {}};
+                           const ExportResult end = exportFile(
+                               {source, {.format = std::string(format->key), .dpi = 20}}, path);
+                           return end.end == WriteResult::End::Written ? std::nullopt
+                                                                       : std::optional(end.error);
+                       }});
     all.push_back({"session", "svg", [](const QString& path) {
                        const Saved saved = save(Session().beginSaving(), path);
                        return saved.end == Saved::End::Written ? std::nullopt

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/export_drawing.h"
+
+#include "app/base/text.h"
+#include "app/document/flattened.h"
+#include "app/document/hidden_objects.h"
+#include "app/export/drawn_box.h"
+#include "app/export/export_losses.h"
+#include "app/export/part_of_drawing.h"
+#include "app/formats/painted.h"
+
+namespace app {
+namespace {
+
+Document contentOf(const ExportJob& job)
+{
+    Document content = withOwnStyles(job.source.document); // a cut adds many styles
+    const Format& format = formatOf(job.choice);
+    if (const auto objects = objectsOf(job.source, job.choice.area))
+        content = onlyObjects(std::move(content), *objects);
+    else if (format.hides == StoresHidden::No)
+        content = withoutHidden(std::move(content));
+    if (format.holds == Holds::SeparateLines) // cut as lines, so that each is in the window
+        content = flattened(std::move(content), usualTolerance(content.page()));
+    return content;
+}
+
+CutOptions cutOptionsOf(const ExportJob& job)
+{
+    const ExportSource& source = job.source;
+    const Page& page = source.document.page();
+    CutOptions options = exportOptions(source.cutting, page);
+    options.clipAll = source.clipAll;
+    options.keepContacts = formatOf(job.choice).holds == Holds::SeparateLines;
+    cutAt(options, windowsOf(source, job.choice.area), page);
+    return options;
+}
+
+/// Without what is not drawn.
+Page bare(Page page)
+{
+    page.guides = {};
+    page.sheets.reset();
+    return page;
+}
+
+bool onWholePage(const ExportChoice& choice)
+{
+    return choice.paper == ExportPaper::Page && formatOf(choice).takes.paper;
+}
+
+/// The rectangle of the paper; empty: nothing is seen.
+std::optional<clipping::Window> paperOf(const ExportJob& job, const Document& content)
+{
+    if (onWholePage(job.choice))
+        return content.page().rectangle();
+    const auto rectangle = rectangleOf(job.source, job.choice.area);
+    return rectangle ? rectangle : drawnBox(content);
+}
+
+WriteOptions writeOptionsOf(const ExportChoice& choice, const ClipRegion& region)
+{
+    const Format& format = formatOf(choice);
+    WriteOptions options;
+    if (format.takes.dpi)
+        options.dpi = choice.dpi;
+    if (format.takes.background)
+        options.background = choice.background;
+    if (format.takes.precision)
+        options.precision = choice.precision;
+    if (region.keep == Keep::Inside)
+        options.bounds = region.single();
+    return options;
+}
+
+} // namespace
+
+Result<ExportDrawing> exportDrawing(const ExportJob& job, const Follower& follower)
+{
+    using Made = Result<ExportDrawing>;
+    if (const QString fault = faultOf(job.source, job.choice.area); !fault.isEmpty())
+        return Made::failure(Text::tr("Nothing can be exported: %1.").arg(fault));
+    if (const auto fault = faultOf(job.source.document.page()))
+        return Made::failure(*fault);
+    const CutOptions options = cutOptionsOf(job);
+    ExportDrawing made{.document = contentOf(job),
+                       .options = writeOptionsOf(job.choice, options.region)};
+    if (!options.region.everything()) {
+        const Cut result = cut(made.document, options, follower);
+        made.counts = result.counts;
+        if (follower.stop.stop_requested())
+            return Made::failure({});
+        made.document.apply(result.edit);
+    }
+    const auto paper = paperOf(job, made.document);
+    if (!paper)
+        return Made::failure(Text::tr("Nothing is seen of what was chosen."));
+    Page page = bare(made.document.page());
+    if (!onWholePage(job.choice))
+        page = paperAround(std::move(page), *paper);
+    made.document.apply({.windows = ClipWindows(), .page = std::move(page)}); // it is cut already
+    made.losses = exportLosses(job, made);
+    return Made::of(std::move(made));
+}
+
+} // namespace app

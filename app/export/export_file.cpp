@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/export_file.h"
+
+#include "app/base/text.h"
+
+#include <new>
+
+namespace app {
+namespace {
+
+constexpr double cuttingWeight = 4, writingWeight = 1; // for the progress
+
+/// Takes everything, keeps nothing, and counts the bytes.
+class CountingDevice final : public QIODevice {
+public:
+    CountingDevice() { open(QIODevice::WriteOnly); }
+    qint64 bytes() const { return bytes_; }
+    bool isSequential() const override { return true; }
+
+protected:
+    qint64 readData(char*, qint64) override { return -1; }
+    qint64 writeData(const char*, qint64 size) override
+    {
+        bytes_ += size;
+        return size;
+    }
+
+private:
+    qint64 bytes_ = 0;
+};
+
+std::optional<QString> write(const ExportJob& job, const QString& path, const Follower& follower,
+                             ExportResult& end)
+{
+    PhasedProgress phases(follower, {cuttingWeight, writingWeight});
+    auto drawing = exportDrawing(job, phases.next());
+    if (!drawing)
+        return drawing.error;
+    end.counts = drawing.value->counts;
+    drawing.value->options.stop = follower.stop;
+    return writeFile(drawing.value->document, path, drawing.value->options, &formatOf(job.choice));
+}
+
+} // namespace
+
+ExportResult exportFile(const ExportJob& job, const QString& path, const Follower& follower)
+{
+    ExportResult end;
+    end.cut = job.choice.area.part == ExportPart::Cut;
+    const QString outOfMemory =
+        Text::tr(
+            "Cannot export %1: there is not enough memory. Close other programs, or export a part "
+            "of the drawing.")
+            .arg(path);
+    static_cast<WriteResult&>(end) =
+        resultOf([&] { return write(job, path, follower, end); }, follower.stop, outOfMemory);
+    return end;
+}
+
+Result<qint64> exportedBytes(const ExportDrawing& drawing, const Format& format,
+                             const std::stop_token& stop)
+{
+    using Bytes = Result<qint64>;
+    try {
+        CountingDevice counter;
+        WriteOptions options = drawing.options;
+        options.stop = stop;
+        if (const auto error = format.write(drawing.document, counter, options))
+            return Bytes::failure(*error);
+        return Bytes::of(counter.bytes());
+    } catch (const std::bad_alloc&) {
+        return Bytes::failure(Text::tr("there is not enough memory for this file."));
+    }
+}
+
+} // namespace app

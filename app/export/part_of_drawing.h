@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/document.h"
+#include "app/document/object_ranges.h"
+
+namespace app {
+
+/// The document with only these objects, in their layers and groups; containers without objects are
+/// left out.
+Document onlyObjects(Document document, const ObjectRanges& objects);
+
+/// A page just as large as the rectangle, with a user unit of the same size.
+Page paperAround(Page page, const clipping::Window& rectangle);
+
+} // namespace app
