@@ -6,10 +6,12 @@
 #include "ui/menus/actions.h"
 #include "ui/window/main_window.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QImage>
+#include <QLineEdit>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -23,17 +25,10 @@ namespace {
 
 const QString foreign = QStringLiteral(SOURCE_DIR "/tests/ui/data/foreign.svg");
 
-/// Answers with one file name; no other question is expected.
+/// No other question is expected.
 struct Answers : ui::Questions {
-    Answers(QWidget& window, QString file) : Questions(window), path(std::move(file)) {}
-    QString fileToSave(const QString&, const QString& given, Formats) override
-    {
-        proposal = given;
-        return path;
-    }
+    using Questions::Questions;
     Answer saveChanges(const QString&) override { return Answer::DontSave; }
-    QString path;
-    inline static QString proposal;
 };
 
 QImage rendered(const QString& svg, const QString& png)
@@ -95,7 +90,7 @@ private slots:
         const QString cutFile = folder.filePath("out.svg");
         ui::MainWindow window(ui::Backend::Raster);
         ui::addMenus(window);
-        window.setQuestions(std::make_unique<Answers>(window, cutFile));
+        window.setQuestions(std::make_unique<Answers>(window));
         window.resize(1280, 800);
         window.show();
         window.activateWindow();
@@ -157,9 +152,15 @@ private slots:
         QVERIFY(sheetOf(session.document).window == drawn);
 
         QTest::keyClick(canvas, Qt::Key_E, Qt::ControlModifier);
+        auto* file = window.findChild<QLineEdit*>("export-file");
+        QCOMPARE(QFileInfo(file->text()).fileName(), QString("foreign-cut.svg"));
+        auto* paper = window.findChild<QWidget*>("export-paper");
+        QTest::mouseClick(paper->findChildren<QAbstractButton*>().at(1), Qt::LeftButton);
+        file->setText(cutFile);
+        QTest::keyClick(file, Qt::Key_Return);
         QTRY_VERIFY(!window.files().busy());
         QVERIFY(QFile::exists(cutFile));
-        QCOMPARE(QFileInfo(Answers::proposal).fileName(), QString("foreign-cut.svg"));
+        QVERIFY2(!window.sheet(), "the sheet closes once the file is written");
         QVERIFY2(!window.message().isEmpty(), "the export says what it did");
 
         const QString masked = folder.filePath("masked.svg");

@@ -55,6 +55,8 @@ class HostileSettingsTest : public QObject {
                 "folds/workspace-compare",
                 "folds/workspace-learn",
                 "palette/recent",
+                "export/choices",
+                "export/drawings",
                 "shortcuts",
                 "lessons/done"};
     }
@@ -105,6 +107,9 @@ private slots:
         QTest::newRow("list") << QVariant(QStringList(3000, "x"));
         QTest::newRow("shortcuts") << QVariant(
             QStringList{"undo\tCtrl+S", "nonsense\tF5", "save\t" + QString(10'000, u'S'), "\t\t"});
+        QTest::newRow("exports") << QVariant(
+            QStringList{"png area=moon dpi=1e300 precision=-99 background=0 paper=",
+                        "svg\t/\t" + QString(9000, u'x'), "/a.svg\t/b\tgif"});
         QTest::newRow("panes") << QVariant("4 99 exact exact exact exact");
     }
     void theProgramStartsWithGarbageInEveryKey()
@@ -122,7 +127,8 @@ private slots:
         QVERIFY(fits(*window));
         QVERIFY(savedTheme() == Theme::System || savedTheme() == Theme::Light
                 || savedTheme() == Theme::Dark);
-        for (const char* key : {"reproduce-paper", "hard-cases", "judge", "about-algorithm"})
+        for (const char* key :
+             {"reproduce-paper", "hard-cases", "judge", "about-algorithm", "export"})
             window->findChild<QAction*>(key)->trigger();
         QVERIFY(window->files().recent().empty());
         int dialogs = 0;

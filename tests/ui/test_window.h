@@ -82,6 +82,7 @@ class TestWindow {
 public:
     TestWindow()
     {
+        qputenv("HOME", folder.path().toUtf8()); // new drawings are exported to it
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
         QCoreApplication::setOrganizationName("Clearcut");

@@ -284,11 +284,11 @@ void OptionBar::addSteps(QAction& undo, QAction& redo)
     insertActions(actions().front(), {&undo, &redo});
 }
 
-void OptionBar::setExport(QAction& exportCut)
+void OptionBar::setExport(QAction& exportSheet)
 {
-    showKeyInTip(exportCut);
-    exportCut.setIconText(Text::tr("Export…"));
-    export_->setDefaultAction(&exportCut);
+    showKeyInTip(exportSheet);
+    exportSheet.setIconText(Text::tr("Export…"));
+    export_->setDefaultAction(&exportSheet);
 }
 
 void OptionBar::offerPanes(bool offered)

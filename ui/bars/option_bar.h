@@ -43,7 +43,7 @@ public:
     /// Adds the button of a command that fits the view.
     void addViewStep(QAction& step);
     /// Gives this command the button at the right.
-    void setExport(QAction& exportCut);
+    void setExport(QAction& exportSheet);
     void offerPanes(bool offered);
     /// Names this command's key on the button that opens the panel Style.
     void setStyleCommand(QAction& style);

@@ -13,6 +13,7 @@ Files::Files(app::Session& session, QWidget& window, std::unique_ptr<Questions> 
     : session_(session), questions_(std::move(questions)), background_(&window)
 {
     connect(&session, &app::Session::fileChanged, this, &Files::nameChanged);
+    connect(&session, &app::Session::loaded, this, [this] { exported_.reset(); });
     connect(&background_, &InBackground::ranOutOfMemory, this, [this] {
         emit told(
             {Message::Kind::Warning,

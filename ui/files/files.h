@@ -2,6 +2,8 @@
 #pragma once
 
 #include "app/cut/permanent_cuts.h"
+#include "app/export/export_file.h"
+#include "app/export/remembered_choice.h"
 #include "app/recovery/replay.h"
 #include "app/session/file_watch.h"
 #include "app/session/recent_files.h"
@@ -48,7 +50,16 @@ public:
     void openMade(app::Document document, const QString& title, Answer opened = {});
     void save(Answer saved = {});
     void saveAs(Answer saved = {});
-    void exportCut();
+    /// Writes an export in the background; `written` is told whether the file is there.
+    void exportTo(const app::ExportJob& job, const QString& path, Answer written = {});
+    /// Makes the last export of this drawing again, to the same file. There is one.
+    void exportAgain();
+    std::optional<app::DrawingExport> lastExport() const; ///< of this drawing; empty: none
+    /// What a first export of a drawing begins with: as at the last one of any drawing, in the last
+    /// format or in this one.
+    app::ExportChoice usualExport() const;
+    app::ExportChoice usualExport(const app::Format& format) const;
+    QString exportProposal(const app::ExportChoice& choice) const; ///< a path
     /// Writes sheets to a folder that the person chooses, or to one PDF file; asks once about all
     /// files that exist. `pattern` names the files, without a folder.
     void exportSheets(const app::Sheets& sheets, const QString& pattern);
@@ -119,6 +130,7 @@ private:
     /// Asks for the plan again if the document was changed meanwhile.
     void cutNow(const std::function<Cutting()>& plan, const Turn& turn);
     void showAreas(const app::Cut& cut);
+    void tellExport(const app::ExportResult& end, const QString& path);
     void tellCut(const QString& done);
     void showCut(app::Cut cut, const app::PermanentCut& kind);
     void noteRecent();
@@ -131,6 +143,7 @@ private:
     std::unique_ptr<Questions> questions_;
     QString title_, sample_;
     Place place_;
+    std::optional<app::DrawingExport> exported_; ///< the last export since this drawing was opened
     QDateTime seen_; ///< the file's modification time when we last read or wrote it
     app::FileWatch watch_;
     InBackground background_;

@@ -5,14 +5,11 @@
 #include "app/commands/outline_strokes.h"
 #include "app/comparison/cut_text.h"
 #include "app/cut/stroke_area.h"
-#include "app/formats/export_cut.h"
 #include "app/scene/window_needs.h"
 #include "app/session/arrange_selection.h"
 #include "app/session/comparing.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
-
-#include <QFileInfo>
 
 #include <new>
 
@@ -25,33 +22,6 @@ app::CutOptions Files::cutAs(MakeOptions make) const
     options.clipAll = session_.uses().clipAll;
     app::cutAt(options, document.windows(), document.page());
     return options;
-}
-
-void Files::exportCut()
-{
-    background_.inTurn([this](const Turn& turn) {
-        emit documentWanted();
-        const QString path =
-            questions_->fileToSave(Text::tr("Export cut drawing"),
-                                   proposal(QStringLiteral("-cut.svg")), Questions::Formats::All);
-        if (path.isEmpty())
-            return;
-        const QString name = QFileInfo(path).fileName();
-        background_.run(
-            Text::tr("Exporting %1…").arg(name),
-            [document = session_.now(), options = cutAs(app::exportOptions),
-             path](const app::Follower& follower) {
-                return app::exportCut(document, options, path, follower);
-            },
-            [this, name, turn](const std::optional<app::CutExport>& made) {
-                const app::CutExport& cut = made.value();
-                if (cut.end == app::CutExport::End::Failed)
-                    emit told({Message::Kind::Warning, cut.error});
-                else if (cut.end == app::CutExport::End::Written)
-                    tellCut(Text::tr("Exported %1: %2").arg(name, app::cutText(cut.counts)));
-            },
-            InBackground::Cancel::Stops);
-    });
 }
 
 void Files::cutPermanently(const app::PermanentCut& kind)

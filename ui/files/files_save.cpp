@@ -85,7 +85,7 @@ void Files::askPath(const Answer& saved)
     if (!path.isEmpty())
         emit told(
             {Message::Kind::Warning, Text::tr("%1 was not saved, because drawings are saved only "
-                                              "as SVG. “Export cut drawing…” writes other types.")
+                                              "as SVG. “Export…” writes other types.")
                                          .arg(QFileInfo(path).fileName())});
     saved(false);
 }

@@ -107,12 +107,24 @@ MenuInfo fileMenu()
                 },
                 {
                     .key = "export",
-                    .text = Text::tr("&Export cut drawing…"),
+                    .text = Text::tr("&Export…"),
                     .keys = {K("Ctrl+E")},
                     .icon = "export",
-                    .run = [](MainWindow& w) { w.files().exportCut(); },
+                    .run = [](MainWindow& w) { showSheet(w, "export"); },
                     .enabled = someLines,
                     .made = [](MainWindow& w, QAction& action) { w.optionBar().setExport(action); },
+                },
+                {
+                    .key = "export-again",
+                    .text = Text::tr("Export again"),
+                    .keys = {K("Ctrl+Shift+E")},
+                    .run =
+                        [](MainWindow& w) {
+                            w.files().lastExport() ? w.files().exportAgain()
+                                                   : showSheet(w, "export");
+                        },
+                    .enabled = someLines,
+                    .paletteOnly = true,
                 },
                 {
                     .key = "settings",

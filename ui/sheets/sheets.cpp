@@ -3,6 +3,10 @@
 
 #include "app/base/text.h"
 #include "ui/sheets/page_sheet.h"
+#include "ui/bars/status_bar.h"
+#include "ui/export/export_sheet.h"
+#include "ui/files/files.h"
+#include "ui/look/text.h"
 #include "ui/sheets/settings_sheet.h"
 #include "ui/window/main_window.h"
 
@@ -19,13 +23,23 @@ Sheet* make(MainWindow& window)
     return new Shown(window);
 }
 
+Sheet* makeExport(MainWindow& window)
+{
+    auto* sheet = new ExportSheet(window.session(), window.files());
+    QObject::connect(sheet, &ExportSheet::summed, &window.status(), &StatusBar::setSummary);
+    window.status().showHint(Text::tr("Drag to move the preview. Enter: export. Esc: back to the "
+                                      "drawing, nothing is changed."));
+    return sheet;
+}
+
 } // namespace
 
 // THE CATALOGUE. To add a sheet: add its row, and the row of its command in a menu.
 std::span<const SheetInfo> sheets()
 {
     static constexpr std::array all{SheetInfo{"page", make<PageSheet>},
-                                    SheetInfo{"settings", make<SettingsSheet>}};
+                                    SheetInfo{"settings", make<SettingsSheet>},
+                                    SheetInfo{"export", makeExport}};
     return all;
 }
 

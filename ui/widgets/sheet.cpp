@@ -86,12 +86,18 @@ void Sheet::addBody(QVBoxLayout& column)
 void Sheet::addFoot(QVBoxLayout& column)
 {
     column.addWidget(rule(Qt::Horizontal));
+    aboveButtons_ = new QVBoxLayout;
+    aboveButtons_->setSpacing(space::labelToField);
     foot_ = new QHBoxLayout;
-    foot_->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
-                              space::labelToField);
     foot_->setSpacing(space::labelToField);
     foot_->addStretch();
-    column.addLayout(foot_);
+    auto* foot = new QVBoxLayout;
+    foot->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                             space::labelToField);
+    foot->setSpacing(space::labelToField);
+    foot->addLayout(aboveButtons_);
+    foot->addLayout(foot_);
+    column.addLayout(foot);
 }
 
 void Sheet::setRemark(const QString& remark) { heading_->setRemark(remark); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 
 class QHBoxLayout;
@@ -31,6 +32,8 @@ public:
     /// What Esc and the button in the heading do. A sheet whose changes show at once may first take
     /// them back.
     virtual void leave() { emit closeWanted(); }
+    /// What stands in place of the drawing while the sheet is shown; null: the drawing.
+    QWidget* preview() const { return preview_; }
     void focusFirst(); ///< gives the focus to the first widget of the body that takes it
 
 signals:
@@ -39,6 +42,8 @@ signals:
 protected:
     QVBoxLayout& body() { return *body_; }
     enum class Side : std::uint8_t { Left, Right };
+    QVBoxLayout& aboveButtons() { return *aboveButtons_; } ///< of the foot
+    void setPreview(QWidget* preview) { preview_ = preview; }
     void addToFoot(QPushButton* button, Side side = Side::Right); ///< beside those before
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -51,7 +56,9 @@ private:
     Heading* heading_ = nullptr;
     QWidget* inner_ = nullptr; ///< what scrolls
     QVBoxLayout* body_ = nullptr;
+    QVBoxLayout* aboveButtons_ = nullptr;
     QHBoxLayout* foot_ = nullptr;
+    QPointer<QWidget> preview_;
     int stretchInFoot_ = 0; ///< the number of buttons at the left
 };
 

@@ -98,12 +98,18 @@ void Centre::setTiles(TilesPage* page)
 void Centre::setSheet(Sheet* sheet)
 {
     if (sheet_) {
+        if (QWidget* preview = sheet_->preview()) {
+            pages_->removeWidget(preview);
+            preview->deleteLater();
+        }
         sheet_->hide();
         layout()->removeWidget(sheet_);
         sheet_->deleteLater();
     }
     sheet_ = sheet;
     if (sheet) {
+        if (sheet->preview())
+            pages_->addWidget(sheet->preview());
         static_cast<QHBoxLayout*>(layout())->addWidget(sheet);
         sheet->show();
         sheet->fitTo(window()->width());
@@ -117,15 +123,21 @@ void Centre::showCanvas() { show(canvas_); }
 
 void Centre::showMicroscope() { show(*microscope_); }
 
+void Centre::showPreview() { show(*sheet_->preview()); }
+
 bool Centre::showsCanvas() const { return pages_->currentWidget() == &canvas_; }
 
 /// A stacked widget is at least as large as its largest page, hidden ones included, so hidden pages
 /// are made to ask for no room.
 void Centre::show(QWidget& page)
 {
-    if (pages_->count() == 1)
-        return;
-    for (QWidget* other : {static_cast<QWidget*>(microscope_), static_cast<QWidget*>(tiles_)})
+    if (pages_->count() == 1) { // perhaps again: a preview has gone
+        if (note_)
+            note_->setVisible(noteAllowed_);
+        return placeMessages();
+    }
+    for (QWidget* other : {static_cast<QWidget*>(microscope_), static_cast<QWidget*>(tiles_),
+                           sheet_ ? sheet_->preview() : nullptr})
         if (other) {
             const auto policy = other == &page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
             other->setSizePolicy(policy, policy);

@@ -41,6 +41,7 @@ public:
     void showCanvas();
     void showTiles();
     void showMicroscope();
+    void showPreview(); ///< of the sheet, which has one
     bool showsCanvas() const;
     void layOut(); ///< at once: nothing is painted in a wrong place before
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/modes.h"
 
+#include "ui/widgets/sheet.h"
 #include "ui/window/centre.h"
 #include "ui/window/panel_layout.h"
 
@@ -40,6 +41,8 @@ void Modes::followMicroscope()
     open ? microscope_.enter() : microscope_.leave();
     if (open)
         parts_.sheets.close();
+    if (open && sheets_.sheet() && sheets_.sheet()->preview())
+        sheets_.close();
     fit();
     if (!open)
         microscope_.returnFocus();
@@ -100,12 +103,17 @@ Mode Modes::mode() const
 /// Shows the parts of the session's mode. The panels come back last, when the centre has its size.
 void Modes::fit()
 {
-    const ModeParts shown = partsOf(mode());
+    ModeParts shown = partsOf(mode());
     const bool panels = shown.panels && !sheets_.sheet();
+    const bool preview = sheets_.sheet() && sheets_.sheet()->preview();
+    if (preview) // it has a bar of its own, and takes no tool
+        shown.panels = shown.barAcross = shown.barAtSide = false;
     if (!panels)
         parts_.panels.hideAll();
     fitBars(shown);
-    if (shown.tiles)
+    if (preview)
+        parts_.centre.showPreview();
+    else if (shown.tiles)
         parts_.centre.showTiles();
     else
         shown.microscope ? parts_.centre.showMicroscope() : parts_.centre.showCanvas();

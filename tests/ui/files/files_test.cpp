@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_builder.h"
+#include "app/session/export_source.h"
 #include "ui/files/files.h"
 
 #include <QTest>
@@ -33,6 +34,15 @@ void setWindow(app::Session& session, const clipping::Window& window)
     session.document.apply(edit);
 }
 
+/// Exports the cut drawing, and waits until it is written.
+void exportCut(const TestWindow& t, const QString& path)
+{
+    const app::Format& format = *app::formatOfFile(path);
+    t.window->files().exportTo(
+        {app::exportSourceOf(t.window->session()), {.format = std::string(format.key)}}, path);
+    t.window->files().wait();
+}
+
 } // namespace
 
 class FilesTest : public QObject {
@@ -49,8 +59,7 @@ private slots:
         for (const char* const file : {"out.svg", "out.csv", "out.png"})
             for (const double x : {10.25, 20.5}) {
                 setWindow(session, {{x, 5}, {40, 45}});
-                t.answers->save = t.path(file);
-                t.run("export");
+                exportCut(t, t.path(file));
                 QVERIFY2(t.window->message().contains("Exported"), qPrintable(t.window->message()));
                 QCOMPARE(session.now().styles().size(), styles);
             }
@@ -70,8 +79,7 @@ private slots:
             session.changeDisplay([form](app::Display& display) {
                 display.variant = {clipping::findAlgorithm("kwc"), form};
             });
-            t.answers->save = t.path("out.svg");
-            t.run("export");
+            exportCut(t, t.path("out.svg"));
             QVERIFY2(t.window->message().contains("Exported"), qPrintable(t.window->message()));
             QCOMPARE(t.window->message().contains("KWC as published"),
                      form == clipping::Form::Published);

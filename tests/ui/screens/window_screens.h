@@ -122,6 +122,20 @@ inline Screen settings(const char* name, Theme theme, SettingsSheet::Page page)
             }};
 }
 
+/// A sheet about output beside its preview, after a click at one of its buttons.
+inline Screen output(const char* name, Theme theme, const char* command, const char* button)
+{
+    return {name, [theme, command, button] {
+                return withWindow([=](TestWindow& test) -> QWidget* {
+                    test.window->setTheme(theme);
+                    test.action(command)->trigger();
+                    test.window->sheet()->findChild<QAbstractButton*>(button)->click();
+                    settle();
+                    return test.window.get();
+                });
+            }};
+}
+
 /// A page of a lesson in the window.
 inline Screen lessonPage(const char* name, Theme theme, std::size_t lesson, std::size_t page)
 {
@@ -174,6 +188,8 @@ inline void addWindows(std::vector<Screen>& screens)
     screens.push_back(settings("settings", Theme::Light, SettingsSheet::General));
     screens.push_back(settings("settings-keyboard", Theme::Light, SettingsSheet::Keyboard));
     screens.push_back(settings("settings-keyboard-dark", Theme::Dark, SettingsSheet::Keyboard));
+    screens.push_back(output("export", Theme::Light, "export", "export-as-svg"));
+    screens.push_back(output("export-dark", Theme::Dark, "export", "export-as-png"));
     screens.push_back(lessonPage("lesson-window", Theme::Light, 1, 3));
     screens.push_back(lessonPage("lesson-window-dark", Theme::Dark, 0, 1));
     screens.push_back({"explanation-finding", finding});

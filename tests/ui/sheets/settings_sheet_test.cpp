@@ -58,7 +58,8 @@ private slots:
             QVERIFY(sheet->isAncestorOf(QApplication::focusWidget()));
             QCOMPARE(sheet->mapTo(t.window.get(), sheet->rect().topRight()).x(),
                      t.window->width() - 1);
-            QVERIFY(t.window->canvas().isVisible());
+            QVERIFY(sheet->preview() ? sheet->preview()->isVisible()
+                                     : t.window->canvas().isVisible());
             showSheet(*t.window, info.key); // it is the same
             QCOMPARE(t.window->sheet(), sheet);
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);

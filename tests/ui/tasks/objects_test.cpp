@@ -101,7 +101,7 @@ private slots:
         add(steps, rectangle("60,50"));
         add(steps, {key("Ctrl+Alt+2"), press("Add a clip window that covers the whole page"),
                     key("Ctrl+A"), type("10"), tab(), type("10"), tab(), type("190"), tab(),
-                    type("277"), enter(), key("Ctrl+Shift+X"), key("Ctrl+E")});
+                    type("277"), enter(), key("Ctrl+Shift+X"), key("Ctrl+E"), enter()});
         const Table once{{{{10, 30}, {200, 30}}}, {{{50, 10}, {50, 287}}}, box({60, 50})};
         Table twice = once;
         twice.insert(twice.end(), once.begin(), once.end());

@@ -46,7 +46,6 @@ public:
         auto& canvas = window_.window->canvas();
         canvas.settle();
         key(QStringLiteral("Ctrl+Alt+1")); // the workspace Draw, where digits are numbers
-        window_.answers->save = window_.path("exported.svg");
     }
 
     /// Waits, as a person does, until a file that the key writes is written.
@@ -165,8 +164,8 @@ public:
     {
         Table table;
         append(table, window_.window->session().now().objects());
-        if (QFile::exists(window_.path("exported.svg")))
-            if (const auto file = app::readFile(window_.path("exported.svg")))
+        if (!exported().isEmpty())
+            if (const auto file = app::readFile(exported()))
                 append(table, file.value->document.objects());
         return table;
     }
@@ -176,6 +175,12 @@ public:
     {
         const app::Page& page = window_.window->session().now().page();
         return {{page.min, page.rectangle().max, app::millimetresOf(page)}};
+    }
+    /// The file of the last export; empty: there is none.
+    QString exported() const
+    {
+        const auto last = window_.window->files().lastExport();
+        return last ? last->file : QString();
     }
 
 private:
@@ -374,19 +379,16 @@ inline QString difference(const Table& drawn, const Table& expected)
     return {};
 }
 
-enum class WithPage : std::uint8_t { No, Yes };
-
-inline Table played(const Steps& steps, WithPage withPage,
-                    std::optional<std::size_t> without = {})
+/// What `fault` says of a player who took all steps but one.
+using Fault = std::function<QString(const Player&)>;
+inline QString faultOf(const Steps& steps, const Fault& fault,
+                       std::optional<std::size_t> without = {})
 {
     Player player;
     for (std::size_t i = 0; i < steps.size(); ++i)
         if (i != without)
             steps[i].play(player);
-    Table table = player.drawn();
-    if (withPage == WithPage::Yes)
-        table.push_back(player.page());
-    return table;
+    return fault(player);
 }
 
 /// The actions of a task according to the table of README.md; empty: it is not in the table.
@@ -402,18 +404,22 @@ inline std::optional<int> listedActions(QString task)
     return found.hasMatch() ? std::optional(found.captured(1).toInt()) : std::nullopt;
 }
 
-/// Plays the task, and plays it again without each of its steps (each tenth). `fault` says what is wrong with a
-/// drawing, nothing only with that of all steps.
-inline void checkBy(const Steps& steps, const std::function<QString(const Table&)>& fault,
-                    WithPage withPage = WithPage::No)
+/// Plays the task, and plays it again without each of its steps (each tenth). `fault` says what is
+/// wrong, nothing only after all steps.
+inline void checkPlayer(const Steps& steps, const Fault& fault)
 {
     if (const auto listed = listedActions(QTest::currentTestFunction()))
         QCOMPARE(actionsOf(steps), *listed);
-    const QString wrong = fault(played(steps, withPage));
+    const QString wrong = faultOf(steps, fault);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
     for (std::size_t i = 0; i < steps.size(); i += tests::caseStep())
-        QVERIFY2(!fault(played(steps, withPage, i)).isEmpty(),
+        QVERIFY2(!faultOf(steps, fault, i).isEmpty(),
                  qPrintable(QString("step %1 (%2) is not needed").arg(i + 1).arg(steps[i].what)));
+}
+/// The same for what is drawn.
+inline void checkBy(const Steps& steps, const std::function<QString(const Table&)>& fault)
+{
+    checkPlayer(steps, [&](const Player& player) { return fault(player.drawn()); });
 }
 inline void check(const Steps& steps, const Table& expected)
 {
@@ -422,8 +428,11 @@ inline void check(const Steps& steps, const Table& expected)
 /// The last path of the table is the page (Player::page).
 inline void checkWithPage(const Steps& steps, const Table& expected)
 {
-    checkBy(
-        steps, [&](const Table& drawn) { return difference(drawn, expected); }, WithPage::Yes);
+    checkPlayer(steps, [&](const Player& player) {
+        Table drawn = player.drawn();
+        drawn.push_back(player.page());
+        return difference(drawn, expected);
+    });
 }
 
 } // namespace tasks

@@ -576,7 +576,7 @@ private slots:
     {
         TestWindow t;
         QCOMPARE(t.action("undo")->toolTip(), "Undo (Ctrl+Z)");
-        QCOMPARE(t.action("export")->toolTip(), "Export cut drawing (Ctrl+E)");
+        QCOMPARE(t.action("export")->toolTip(), "Export (Ctrl+E)");
         app::Session& session = t.window->session();
         session.history.push(addLayer(session.document, "Ink"));
         QCOMPARE(t.action("undo")->toolTip(), "Undo Add layer (Ctrl+Z)");

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/window_steps.h"
+#include "ui/export/export_preview.h"
+#include "ui/export/export_sheet.h"
+#include "ui/widgets/segments.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSpinBox>
+
+#include "tests/content_of.h"
+#include "tests/test_class.h"
+#include "tests/ui/test_window.h"
+
+namespace ui::export_export_sheet_test {
+
+namespace {
+
+/// The editor with two layers: a red square of 20 mm with a stroke of 2 mm, and a line across the
+/// page; at a clip window of 40 × 30 mm.
+class Desk : public TestWindow {
+public:
+    Desk()
+    {
+        open(
+            file("logo.svg",
+                 "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='80mm' "
+                 "viewBox='0 0 100 80' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape'"
+                 " xmlns:clearcut='urn:clearcut:1'><metadata>"
+                 "<clearcut:window xmin='5' ymin='5' xmax='45' ymax='35'/></metadata>"
+                 "<g inkscape:groupmode='layer' inkscape:label='Logo'>"
+                 "<rect x='10' y='10' width='20' height='20' fill='#c00000' stroke='#c00000' "
+                 "stroke-width='2'/></g>"
+                 "<g inkscape:groupmode='layer' inkscape:label='Lines'>"
+                 "<path d='M0 50H100' stroke='#000' fill='none'/></g></svg>"));
+        show();
+    }
+    ExportSheet& openSheet()
+    {
+        run("export");
+        settle();
+        return sheet();
+    }
+    ExportSheet& sheet() { return static_cast<ExportSheet&>(*window->sheet()); }
+    void settle()
+    {
+        sheet().live().wait();
+        QCoreApplication::processEvents();
+    }
+    template <class Widget = QWidget>
+    Widget& part(const char* name)
+    {
+        auto* found = window->findChild<Widget*>(name);
+        if (!found)
+            qFatal("there is no %s", name);
+        return *found;
+    }
+    void press(const char* name)
+    {
+        part<QAbstractButton>(name).click();
+        settle();
+    }
+    void pick(const char* segments, const QString& choice)
+    {
+        for (auto* button : part(segments).findChildren<QToolButton*>())
+            if (button->text() == choice) {
+                button->click();
+                return settle();
+            }
+        qFatal("no choice %s", qPrintable(choice));
+    }
+    QString text(const char* label)
+    {
+        return part<QLabel>(label).text().replace(QChar::Nbsp, u' ');
+    }
+    void select(std::size_t object) { window->session().select(app::ObjectRanges{object}); }
+    void write(const QString& path)
+    {
+        part<QLineEdit>("export-file").setText(path);
+        part<QPushButton>("write-export").click();
+        window->files().wait();
+    }
+    bool isShown(const char* name) { return part(name).isVisible(); }
+};
+
+} // namespace
+
+class ExportSheetTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void thePreviewStandsInPlaceOfTheDrawing()
+    {
+        Desk t;
+        const app::Document before = t.window->session().now();
+        ExportSheet& sheet = t.openSheet();
+        QVERIFY(sheet.shown().isVisible() && !t.window->canvas().isVisible());
+        QTest::keyClick(&sheet.shown().view(), Qt::Key_Escape);
+        QVERIFY(!t.window->sheet() && t.window->canvas().isVisible());
+        QTRY_COMPARE(t.window->focusWidget(), t.drawingArea());
+        QVERIFY(sameAddress(before, t.window->session().now()));
+        QVERIFY(t.window->session().history.isClean());
+    }
+    // Only what the chosen format can do.
+    void optionsAreThoseOfTheFormat()
+    {
+        Desk t;
+        t.openSheet();
+        const auto shown = [&t] {
+            QStringList names;
+            for (const char* name : {"export-paper", "export-dpi", "export-background",
+                                     "export-decimals", "export-pixels"})
+                if (t.isShown(name))
+                    names << QString(name).mid(7);
+            return names.join(u' ');
+        };
+        QCOMPARE(shown(), "paper decimals");
+        t.press("export-as-pdf");
+        QCOMPARE(shown(), "paper background decimals");
+        t.press("export-as-png");
+        QCOMPARE(shown(), "paper dpi background pixels");
+        t.press("export-as-csv");
+        QCOMPARE(shown(), "decimals");
+    }
+    void theResultIsThatOfTheArea()
+    {
+        Desk t;
+        t.openSheet();
+        QCOMPARE(t.text("export-size"), "<b>40.00 × 30.00 mm</b>");
+        QCOMPARE(t.text("export-length"), "<b>80.00 mm</b>");
+        QCOMPARE(t.text("export-paths"), "<b>1</b> of 2, on 1 layer");
+        QVERIFY2(t.text("export-bytes").endsWith("B</b>"), qPrintable(t.text("export-bytes")));
+        t.press("export-page");
+        QCOMPARE(t.text("export-size"), "<b>100.00 × 80.00 mm</b>");
+        QCOMPARE(t.text("export-paths"), "<b>2</b>, on 2 layers");
+    }
+    void aLogoBecomesATransparentPictureOfItsSelection()
+    {
+        Desk t;
+        t.select(0);
+        t.openSheet();
+        t.press("export-as-png");
+        t.press("export-selection");
+        t.pick("export-background", "Transparent");
+        t.pick("export-usual-dpi", "96");
+        QCOMPARE(t.text("export-size"), "<b>22.00 × 22.00 mm</b>");
+        QCOMPARE(t.text("export-pixels"), "<b>83 × 83 pixels</b>");
+        const QString path = t.path("logo.png");
+        t.write(path);
+        QVERIFY2(!t.window->sheet(), qPrintable(t.window->message()));
+        const QImage image(path);
+        QCOMPARE(image.size(), QSize(83, 83));
+        QVERIFY(image.hasAlphaChannel());
+        QCOMPARE(image.pixelColor(41, 41), QColor(0xc0, 0, 0));
+        QVERIFY(image.pixelColor(0, 41).red() > 0xa0); // the stroke, up to the edge
+    }
+    void whatIsNotPossibleSaysWhy()
+    {
+        Desk t;
+        t.openSheet();
+        auto& selection = t.part<QRadioButton>("export-selection");
+        QVERIFY(!selection.isEnabled());
+        QCOMPARE(selection.toolTip(), "Not possible: nothing is selected");
+        t.select(1);
+        t.settle();
+        QVERIFY(selection.isEnabled());
+        t.window->session().document.apply({.windows = app::ClipWindows()});
+        t.settle();
+        QVERIFY(!t.part<QRadioButton>("export-cut").isEnabled());
+        QVERIFY(t.part<QRadioButton>("export-page").isChecked()); // instead
+    }
+    void anImpossibleResolutionIsRefusedInASentence()
+    {
+        Desk t;
+        t.openSheet();
+        t.press("export-as-png");
+        auto& dpi = t.part<QLineEdit>("export-dpi");
+        for (const char* typed : {"0", "1e9", "-3", "nan", "many"}) {
+            dpi.setFocus();
+            dpi.selectAll();
+            QTest::keyClicks(&dpi, typed);
+            QTest::keyClick(&dpi, Qt::Key_Return);
+            QVERIFY(t.isShown("export-refusal"));
+            QCOMPARE(t.text("export-refusal"),
+                     QStringLiteral("“%1” is not possible: give 1 to 100,000 dpi.").arg(typed));
+            QCOMPARE(t.sheet().live().choice().dpi, 300.0);
+        }
+        // A possible one can be too much for the area.
+        dpi.selectAll();
+        QTest::keyClicks(&dpi, "100000");
+        QTest::keyClick(&dpi, Qt::Key_Tab);
+        t.settle();
+        QVERIFY2(t.text("export-error").contains("Choose"), qPrintable(t.text("export-error")));
+        QVERIFY(!t.part<QPushButton>("write-export").isEnabled());
+    }
+    void theFileFollowsTheFormatAndSaysWhatItReplaces()
+    {
+        Desk t;
+        t.openSheet();
+        auto& file = t.part<QLineEdit>("export-file");
+        QCOMPARE(QFileInfo(file.text()).fileName(), "logo-cut.svg");
+        t.press("export-as-pdf");
+        QCOMPARE(QFileInfo(file.text()).fileName(), "logo-cut.pdf");
+        QVERIFY(!t.isShown("export-file-remark"));
+        file.setText(t.path("logo.svg"));
+        QVERIFY(!t.isShown("export-file-remark")); // logo.svg.pdf is new
+        t.file("old.pdf", "old");
+        file.setText(t.path("old.pdf"));
+        QVERIFY2(t.text("export-file-remark").startsWith("Replaces old.pdf of "),
+                 qPrintable(t.text("export-file-remark")));
+        file.setText(t.path("nowhere/a.pdf"));
+        QVERIFY(t.text("export-file-remark").startsWith("There is no folder"));
+        t.part<QPushButton>("write-export").click();
+        t.window->files().wait();
+        QVERIFY2(t.window->message().contains("nowhere/a.pdf"), qPrintable(t.window->message()));
+        QVERIFY(t.window->sheet()); // nothing that was chosen is lost
+    }
+    void choicesAreRememberedPerFormatAndExportedAgain()
+    {
+        Desk t;
+        t.select(0);
+        t.openSheet();
+        t.press("export-as-png");
+        t.press("export-selection");
+        t.pick("export-usual-dpi", "150");
+        const QString path = t.path("again.png");
+        t.write(path);
+        QVERIFY(QFile::remove(path));
+        t.run("export-again");
+        QVERIFY(!t.window->sheet());
+        QCOMPARE(QImage(path).width(), int(std::round(22 / 25.4 * 150)));
+        QVERIFY2(t.window->message().startsWith("Exported again.png"),
+                 qPrintable(t.window->message()));
+        t.openSheet();
+        QCOMPARE(t.sheet().live().choice().dpi, 150.0);
+        QVERIFY(t.part<QRadioButton>("export-selection").isChecked());
+        QCOMPARE(t.sheet().live().choice().format, std::string("png"));
+        t.window->closeSheet();
+        // The selection is gone: nothing else is written over the file.
+        const QByteArray before = contentOf(path);
+        t.window->session().select({});
+        t.run("export-again");
+        QVERIFY2(t.window->message().contains("nothing is selected"),
+                 qPrintable(t.window->message()));
+        QCOMPARE(contentOf(path), before);
+    }
+    void withoutAnEarlierExportTheSheetOpens()
+    {
+        Desk t;
+        t.run("export-again");
+        QVERIFY(t.window->sheet());
+        QCOMPARE(t.window->sheet()->objectName(), "export");
+    }
+    void aLayerBecomesAFile()
+    {
+        Desk t;
+        t.openSheet();
+        t.press("export-as-pdf");
+        auto& layers = t.part<QComboBox>("export-layer");
+        QCOMPARE(layers.count(), 2);
+        layers.setCurrentText("Lines");
+        emit layers.activated(layers.currentIndex());
+        t.settle();
+        QCOMPARE(t.text("export-paths"), "<b>1</b> of 2, on 1 layer");
+        QCOMPARE(t.text("export-size"), "<b>100.00 × 1.00 mm</b>");
+        t.pick("export-paper", "Whole page");
+        QCOMPARE(t.text("export-size"), "<b>100.00 × 80.00 mm</b>");
+        t.write(t.path("lines.pdf"));
+        QVERIFY(contentOf(t.path("lines.pdf")).startsWith("%PDF"));
+    }
+    // What lies outside the window is not on the preview, and what lies inside is.
+    void thePreviewShowsOnlyWhatIsWritten()
+    {
+        Desk t;
+        ExportView& view = t.openSheet().shown().view();
+        view.settle();
+        const QImage shown = view.grab().toImage();
+        const auto at = [&](double x, double y) {
+            const app::Point p = view.view().toScreen({x, y}) * shown.devicePixelRatio();
+            return shown.pixelColor(int(p.x), int(p.y));
+        };
+        QCOMPARE(at(20, 20), QColor(0xc0, 0, 0));
+        QCOMPARE(at(40, 20), QColor(Qt::white));
+        const app::Point line = view.view().toScreen({20, 50});
+        if (line.y < view.height())
+            QVERIFY(at(20, 50) != QColor(Qt::black));
+    }
+};
+
+} // namespace ui::export_export_sheet_test
+
+TEST_CLASS(ui::export_export_sheet_test::ExportSheetTest, Widgets)
+#include "tests/ui/export/export_sheet_test.moc"

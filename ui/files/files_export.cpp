@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
+#include "app/base/text.h"
+#include "app/comparison/cut_text.h"
+#include "app/session/export_source.h"
+#include "ui/files/files.h"
+#include "ui/look/text.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include <utility>
+
+// Writing a part of the drawing in any format.
+
+namespace ui {
+
+void Files::exportTo(const app::ExportJob& job, const QString& path, Answer written)
+{
+    background_.inTurn([=, this](const Turn& turn) {
+        emit documentWanted();
+        background_.run(
+            Text::tr("Exporting %1…").arg(QFileInfo(path).fileName()),
+            [job, path](const app::Follower& follower) {
+                return app::exportFile(job, path, follower);
+            },
+            [this, job, path, written, turn](const std::optional<app::ExportResult>& made) {
+                const bool done = made && made->end == app::WriteResult::End::Written;
+                if (done) {
+                    exported_ = app::DrawingExport{session_.path(), path, job.choice};
+                    QSettings settings;
+                    app::remember(settings, *exported_);
+                }
+                if (made)
+                    tellExport(*made, path);
+                if (written)
+                    written(done);
+            },
+            InBackground::Cancel::Stops);
+    });
+}
+
+void Files::tellExport(const app::ExportResult& end, const QString& path)
+{
+    if (end.end == app::WriteResult::End::Failed)
+        emit told({Message::Kind::Warning, end.error});
+    if (end.end != app::WriteResult::End::Written)
+        return;
+    const QString name = QFileInfo(path).fileName();
+    if (end.cut)
+        return tellCut(Text::tr("Exported %1: %2").arg(name, app::cutText(end.counts)));
+    const QString size =
+        QLocale().formattedDataSize(QFileInfo(path).size(), 1, QLocale::DataSizeSIFormat);
+    emit told({Message::Kind::Done, Text::tr("Exported %1, %2.").arg(name, size)});
+}
+
+void Files::exportAgain()
+{
+    const auto last = lastExport();
+    if (!last)
+        return;
+    emit documentWanted();
+    app::ExportJob job{app::exportSourceOf(session_), last->choice};
+    if (!exported_) { // their numbers are not remembered
+        job.choice.area.window = session_.windowNumber().value_or(0);
+        job.choice.area.layer = session_.pen.layer;
+    }
+    exportTo(job, last->file);
+}
+
+std::optional<app::DrawingExport> Files::lastExport() const
+{
+    return exported_ ? exported_ : app::lastExport(QSettings(), session_.path());
+}
+
+app::ExportChoice Files::usualExport() const
+{
+    const QSettings settings;
+    return app::lastChoice(settings, app::lastFormat(settings));
+}
+
+app::ExportChoice Files::usualExport(const app::Format& format) const
+{
+    return app::lastChoice(QSettings(), format.key);
+}
+
+QString Files::exportProposal(const app::ExportChoice& choice) const
+{
+    const QString ending = u'.' + app::latin(app::formatOf(choice).key);
+    const bool cut = choice.area.part == app::ExportPart::Cut;
+    return proposal((cut ? QStringLiteral("-cut") : QStringLiteral("-export")) + ending);
+}
+
+} // namespace ui
