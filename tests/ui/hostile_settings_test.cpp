@@ -57,6 +57,7 @@ class HostileSettingsTest : public QObject {
                 "palette/recent",
                 "export/choices",
                 "export/drawings",
+                "print/paper",
                 "shortcuts",
                 "lessons/done"};
     }
@@ -128,7 +129,7 @@ private slots:
         QVERIFY(savedTheme() == Theme::System || savedTheme() == Theme::Light
                 || savedTheme() == Theme::Dark);
         for (const char* key :
-             {"reproduce-paper", "hard-cases", "judge", "about-algorithm", "export"})
+             {"reproduce-paper", "hard-cases", "judge", "about-algorithm", "export", "print"})
             window->findChild<QAction*>(key)->trigger();
         QVERIFY(window->files().recent().empty());
         int dialogs = 0;

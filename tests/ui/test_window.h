@@ -47,6 +47,7 @@ public:
         return save;
     }
     QString folderToWrite(const QString&, const QString&) override { return directory; }
+    bool hasPrinter() override { return false; }
     int askedAboutFiles = 0; ///< number of questions about overwriting several files
     bool overwriteFiles(const QStringList& files, int) override
     {

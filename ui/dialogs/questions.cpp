@@ -10,6 +10,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPrinterInfo>
 #include <QPushButton>
 
 namespace ui {
@@ -130,6 +133,15 @@ bool Questions::trustLibrary(const QString& path)
                         "own, so a crash does no harm. Run only libraries from people you trust."),
                {Text::tr("Run library")}, Usual::Cancel)
            == 0;
+}
+
+bool Questions::hasPrinter() { return !QPrinterInfo::availablePrinterNames().isEmpty(); }
+
+bool Questions::choosePrinter(QPrinter& printer)
+{
+    QPrintDialog dialog(&printer, &window_);
+    dialog.setWindowTitle(Text::tr("Print"));
+    return dialog.exec() == QDialog::Accepted;
 }
 
 bool Questions::overwriteFiles(const QStringList& existing, int all)

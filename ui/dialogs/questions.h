@@ -8,6 +8,8 @@
 
 class QWidget;
 
+class QPrinter;
+
 namespace ui {
 
 /// All questions about files, as dialogs over a window. Tests override its functions.
@@ -39,6 +41,10 @@ public:
     /// The library is about to be run for the first time, with all of the person's rights; true:
     /// run it.
     virtual bool trustLibrary(const QString& path);
+    /// Whether a printer is set up.
+    virtual bool hasPrinter();
+    /// Lets the person choose a printer, and its paper; false: cancelled.
+    virtual bool choosePrinter(QPrinter& printer);
     /// Some of the `all` files to be written exist; true: overwrite them.
     virtual bool overwriteFiles(const QStringList& existing, int all);
     virtual Answer saveChanges(const QString& name);

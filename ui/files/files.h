@@ -3,6 +3,7 @@
 
 #include "app/cut/permanent_cuts.h"
 #include "app/export/export_file.h"
+#include "app/export/print_job.h"
 #include "app/export/remembered_choice.h"
 #include "app/recovery/replay.h"
 #include "app/session/file_watch.h"
@@ -54,12 +55,19 @@ public:
     void exportTo(const app::ExportJob& job, const QString& path, Answer written = {});
     /// Makes the last export of this drawing again, to the same file. There is one.
     void exportAgain();
+    /// Prints in the background, at true size, on a printer that the person chooses; `printed` is
+    /// told whether the sheets are on their way.
+    void printTo(const app::ExportJob& job, const app::PrintChoice& choice, Answer printed = {});
+    /// The same to a PDF file.
+    void printToFile(const app::ExportJob& job, const app::PrintChoice& choice, const QString& path,
+                     Answer printed = {});
     std::optional<app::DrawingExport> lastExport() const; ///< of this drawing; empty: none
     /// What a first export of a drawing begins with: as at the last one of any drawing, in the last
     /// format or in this one.
     app::ExportChoice usualExport() const;
     app::ExportChoice usualExport(const app::Format& format) const;
     QString exportProposal(const app::ExportChoice& choice) const; ///< a path
+    QString printProposal() const;                                 ///< of a PDF file
     /// Writes sheets to a folder that the person chooses, or to one PDF file; asks once about all
     /// files that exist. `pattern` names the files, without a folder.
     void exportSheets(const app::Sheets& sheets, const QString& pattern);
@@ -130,6 +138,17 @@ private:
     /// Asks for the plan again if the document was changed meanwhile.
     void cutNow(const std::function<Cutting()>& plan, const Turn& turn);
     void showAreas(const app::Cut& cut);
+    /// Puts sheets on paper or into a file, on any thread; returns nothing or a sentence.
+    using Print = std::function<std::optional<QString>(const app::PrintSheets& sheets,
+                                                       const app::Follower& follower)>;
+    struct Printing {
+        app::ExportJob job;
+        app::PrintChoice choice;
+        QString onto; ///< "laser", "plan.pdf"
+        Print print;
+        Answer printed;
+    };
+    void printNow(const Printing& printing, const Turn& turn);
     void tellExport(const app::ExportResult& end, const QString& path);
     void tellCut(const QString& done);
     void showCut(app::Cut cut, const app::PermanentCut& kind);

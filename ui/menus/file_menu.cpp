@@ -127,6 +127,13 @@ MenuInfo fileMenu()
                     .paletteOnly = true,
                 },
                 {
+                    .key = "print",
+                    .text = Text::tr("&Print…"),
+                    .keys = keys(K::Print, {K("Ctrl+P")}),
+                    .run = [](MainWindow& w) { showSheet(w, "print"); },
+                    .enabled = someLines,
+                },
+                {
                     .key = "settings",
                     .text = Text::tr("Se&ttings…"),
                     .keys = keys(K::Preferences, {K("Ctrl+,")}),

@@ -5,6 +5,7 @@
 #include "ui/sheets/page_sheet.h"
 #include "ui/bars/status_bar.h"
 #include "ui/export/export_sheet.h"
+#include "ui/export/print_sheet.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 #include "ui/sheets/settings_sheet.h"
@@ -32,14 +33,23 @@ Sheet* makeExport(MainWindow& window)
     return sheet;
 }
 
+Sheet* makePrint(MainWindow& window)
+{
+    window.status().showHint(Text::tr("Drag to move the preview. Enter: print. Esc: back to the "
+                                      "drawing, nothing is changed."));
+    auto* sheet = new PrintSheet(window.session(), window.files());
+    QObject::connect(sheet, &PrintSheet::summed, &window.status(), &StatusBar::setSummary);
+    return sheet;
+}
+
 } // namespace
 
 // THE CATALOGUE. To add a sheet: add its row, and the row of its command in a menu.
 std::span<const SheetInfo> sheets()
 {
-    static constexpr std::array all{SheetInfo{"page", make<PageSheet>},
-                                    SheetInfo{"settings", make<SettingsSheet>},
-                                    SheetInfo{"export", makeExport}};
+    static constexpr std::array all{
+        SheetInfo{"page", make<PageSheet>}, SheetInfo{"settings", make<SettingsSheet>},
+        SheetInfo{"export", makeExport}, SheetInfo{"print", makePrint}};
     return all;
 }
 

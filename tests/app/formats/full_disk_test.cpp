@@ -9,6 +9,7 @@
 #include "app/cost_map/files.h"
 #include "app/experiment/paper_tables.h"
 #include "app/export/export_file.h"
+#include "app/export/print_job.h"
 #include "app/formats/csv/table_cut.h"
 #include "app/formats/format.h"
 #include "app/judge/example_files.h"
@@ -133,6 +134,14 @@ std::vector<Writer> madeWriters()
                                            {}},
                                           path, *findFormat(u"pdf"), {});
                    }});
+    all.push_back(
+        {"printed sheets", "pdf", [](const QString& path) {
+             const Document drawing = documentOf(twoLines());
+             const ExportSource source{drawing, {}, usualAlgorithm().corrected.clipAll, {}};
+             const auto made = exportDrawing({source, {.area = {ExportPart::Page}}});
+             return printFile(*printSheets(*made.value, {.paper = {150, 150}}, source, {}).value,
+                              path);
+         }});
     for (const Format* format : exportFormats())
         all.push_back({"export", latin(format->key), [format](const QString& path) {
                            const ExportSource source{

@@ -190,6 +190,7 @@ inline void addWindows(std::vector<Screen>& screens)
     screens.push_back(settings("settings-keyboard-dark", Theme::Dark, SettingsSheet::Keyboard));
     screens.push_back(output("export", Theme::Light, "export", "export-as-svg"));
     screens.push_back(output("export-dark", Theme::Dark, "export", "export-as-png"));
+    screens.push_back(output("print", Theme::Light, "print", "export-page"));
     screens.push_back(lessonPage("lesson-window", Theme::Light, 1, 3));
     screens.push_back(lessonPage("lesson-window-dark", Theme::Dark, 0, 1));
     screens.push_back({"explanation-finding", finding});
