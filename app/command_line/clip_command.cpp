@@ -4,6 +4,7 @@
 #include "app/command_line/command.h"
 #include "app/command_line/cut_options.h"
 #include "app/command_line/drawing_files.h"
+#include "app/command_line/part_options.h"
 #include "app/command_line/table_clip.h"
 #include "app/command_line/table_input.h"
 #include "app/command_line/terminal.h"
@@ -38,16 +39,22 @@ usesOf(const ParsedArguments& arguments)
     return *uses;
 }
 
-CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& imported,
-                        const Output& output)
+/// The windows with the side that is kept.
+ClipWindows keptWindows(const ParsedArguments& arguments, const Imported& imported)
 {
-    CutOptions options{.clipAll = usesOf(arguments).clipAll};
     ClipWindows windows = windowsOf(arguments, imported);
     if (arguments.has(QStringLiteral("keep")))
         windows.keep = arguments.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0
                            ? Keep::Inside
                            : Keep::Outside;
-    cutAt(options, windows, imported.document.page());
+    return windows;
+}
+
+CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& imported,
+                        const Output& output)
+{
+    CutOptions options{.clipAll = usesOf(arguments).clipAll};
+    cutAt(options, keptWindows(arguments, imported), imported.document.page());
     options.tolerance = toleranceOf(arguments, imported.document.page());
     takeCuttingOptions(arguments, imported.document.page(), options);
     options.keepContacts = output.format->holds == Holds::SeparateLines;
@@ -129,14 +136,13 @@ private:
     QStringList laps_;
 };
 
-std::vector<std::uint32_t> sourceRows(const Imported& imported, const Document& before,
-                                      const Cut& cut)
+std::vector<std::uint32_t> sourceRows(const std::vector<std::uint32_t>& imported,
+                                      const Document& before, const Cut& cut)
 {
     std::vector<std::uint32_t> rows;
-    if (!imported.rows.empty()) {
+    if (!imported.empty()) {
         rows = sourcesOf(cut, before.objects().size());
-        std::ranges::transform(rows, rows.begin(),
-                               [&](auto object) { return imported.rows[object]; });
+        std::ranges::transform(rows, rows.begin(), [&](auto object) { return imported[object]; });
     }
     return rows;
 }
@@ -155,7 +161,8 @@ void clip(const ParsedArguments& arguments)
 
     const CutOptions options = cutOptionsOf(arguments, imported, output);
     const auto plan = tilePlanOf(arguments, imported.document.page());
-    Document before = imported.document;
+    const DrawingPart part = chosenPart(arguments, imported);
+    Document before = part.drawing;
     const std::size_t dropped = dropHidden(arguments, output, before);
     makeAreasIfWanted(arguments, before);
     const auto covered = occludeIfWanted(arguments, options, before); // rows of CSV have no areas
@@ -165,10 +172,11 @@ void clip(const ParsedArguments& arguments)
     result.edit.windows = ClipWindows(); // it is cut already
     Document after = before;
     after.apply(result.edit);
+    fitPaper(arguments, keptWindows(arguments, imported), after);
     laps.lap(Text::tr("cut"));
 
     output.options.tolerance = options.tolerance;
-    output.options.sources = sourceRows(imported, before, result);
+    output.options.sources = sourceRows(part.rows, before, result);
     if (options.region.keep == Keep::Inside)
         output.options.bounds = options.region.single();
     if (plan)
@@ -220,7 +228,7 @@ Command clipCommand()
                   "layers are always cut.")},
     };
     for (const auto& more : {further, cuttingOptions(), tileOptions(), tableClipOptions(),
-                             writingOptions(), readingOptions()})
+                             partOptions(), writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
     options.push_back({{"q", "quiet"}, {}, Text::tr("Do not report windows, counts and losses.")});
     options.push_back({{"stats"}, {}, Text::tr("Report the number of lines and the times.")});
@@ -233,6 +241,7 @@ Command clipCommand()
              "clearcut clip map.svg -w 0,0,210mm,297mm --keep outside -a nln -o hole.pdf",
              "clearcut clip map.svg -w circle:50mm,50mm,40mm --cut-out shape:lake -o round.svg",
              "clearcut clip plan.svg --page --occlude --min-length 1mm -o plotter.svg",
+             "clearcut clip logo.svg --layer Logo --fit-paper --background none -o logo.png",
              "clearcut clip poster.svg --page --tiles a4 --overlap 5mm --marks -o poster.pdf",
              "clearcut clip - --from csv -w -100,-75,100,75 --to csv -o - < lines.csv"},
             1,

@@ -8,6 +8,7 @@
 #include "app/document/flatten.h"
 #include "app/formats/loss_text.h"
 #include "app/formats/read_open_file.h"
+#include "app/formats/svg/colour.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -104,6 +105,11 @@ std::vector<Option> writingOptions()
              "lines that it makes points are left out.")
              .arg(mostDecimals)},
         {{"dpi"}, "N", Text::tr("Pixels per inch of a picture (96).")},
+        {{"background"},
+         "COLOUR",
+         Text::tr(
+             "What is behind the drawing: a name, #rrggbb, or none. Pictures are white, and "
+             "with none transparent; PDF files have none. SVG and CSV files cannot have one.")},
     };
 }
 
@@ -186,6 +192,25 @@ Imported readDrawing(const ParsedArguments& arguments, const QString& path)
     return std::move(*imported.value);
 }
 
+static std::optional<Colour> backgroundOf(const ParsedArguments& arguments, const Format& format)
+{
+    const QString option = QStringLiteral("background");
+    const auto text = arguments.text(option);
+    if (!text)
+        return std::nullopt;
+    if (!format.takes.background)
+        throw WrongUsage{
+            Text::tr("--background: a file of type %1 has no background. Leave out the "
+                     "option, or write a png or pdf file.")
+                .arg(QLatin1StringView(format.key))};
+    const std::optional<Colour> colour = *text == QStringLiteral("none")
+                                             ? Colour{255, 255, 255, 0}
+                                             : svg::parseColour(text->toStdString());
+    if (!colour)
+        refuse({option, *text}, Text::tr("a colour such as #8a5a2b or teal, or none"));
+    return colour;
+}
+
 Output outputOf(const ParsedArguments& arguments, const QString& input)
 {
     const bool inPlace = arguments.has(QStringLiteral("in-place"));
@@ -201,6 +226,7 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
                                    formatOfFile(output.path));
     if (const auto decimals = arguments.count(QStringLiteral("precision"), 0, mostDecimals))
         output.options.precision = int(*decimals);
+    output.options.background = backgroundOf(arguments, *output.format);
     output.options.dpi = arguments.positive(QStringLiteral("dpi")).value_or(output.options.dpi);
     return output;
 }

@@ -73,19 +73,20 @@ QString tableLimit()
 
 bool clipsTable(const ParsedArguments& arguments, const QString& input, const Output& output)
 {
-    bool wholeDrawing = arguments.has(QStringLiteral("occlude"))
-                        || arguments.has(QStringLiteral("strokes-as-areas"))
-                        || arguments.has(QStringLiteral("tiles"))
-                        || arguments.has(QStringLiteral("in-place"))
-                        || !windowsNeedNoDrawing(arguments);
+    bool wholeDrawing =
+        arguments.has(QStringLiteral("occlude"))
+        || arguments.has(QStringLiteral("strokes-as-areas"))
+        || arguments.has(QStringLiteral("tiles")) || arguments.has(QStringLiteral("in-place"))
+        || arguments.has(QStringLiteral("layer")) || arguments.has(QStringLiteral("fit-paper"))
+        || !windowsNeedNoDrawing(arguments);
     wholeDrawing =
         wholeDrawing || output.format->key != "csv" || readFormatOf(arguments, input).key != "csv";
     for (const Option& option : tableClipOptions())
         if (wholeDrawing && arguments.has(option.names.back()))
             throw WrongUsage{
                 Text::tr("--%1 needs a table (csv) as input and output, and a window such as -w "
-                         "0,0,100,50. Leave out --occlude, --strokes-as-areas, --tiles and "
-                         "--in-place, which need all lines at once.")
+                         "0,0,100,50. Leave out --occlude, --strokes-as-areas, --tiles, --layer, "
+                         "--fit-paper and --in-place, which need all lines at once.")
                     .arg(option.names.back())};
     return !wholeDrawing;
 }
