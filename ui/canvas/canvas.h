@@ -12,8 +12,11 @@
 #include "ui/canvas/backend.h"
 #include "ui/canvas/navigation.h"
 
+#include <QHash>
+#include <QKeySequence>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>

@@ -15,7 +15,7 @@
 namespace ui {
 namespace {
 
-constexpr int fontWidth = 132, sizeWidth = 66; // pixels
+constexpr int fontWidth = 132, textSizeWidth = 66; // pixels
 
 } // namespace
 
@@ -34,7 +34,7 @@ TextRow::TextRow(app::Session& session)
     size_->setObjectName(QStringLiteral("object-capsule-text-size"));
     size_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     size_->setFrame(false);
-    size_->setFixedWidth(sizeWidth);
+    size_->setFixedWidth(textSizeWidth);
     size_->setAlignment(Qt::AlignRight);
     size_->setToolTip(size_->accessibleName());
     row->addWidget(size_);
