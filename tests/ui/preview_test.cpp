@@ -52,7 +52,10 @@ struct Desk : TestWindow {
         window->canvas().setTool("window");
         window->canvas().fitPage();
         const auto found = window->findChild<WindowPanel*>()->findChildren<LengthField*>();
-        std::ranges::copy(found.first(4), fields.begin()); // the angle comes last
+        const QStringList names{"X", "Y", "Width", "Height"};
+        for (LengthField* field : found)
+            if (const auto i = names.indexOf(field->accessibleName()); i >= 0)
+                fields[std::size_t(i)] = field;
     }
     app::Session& session() const { return window->session(); }
     const app::LiveRace& race() const { return window->findChild<ComparePanel*>()->race(); }

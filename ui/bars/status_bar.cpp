@@ -19,7 +19,7 @@ namespace ui {
 namespace {
 
 constexpr int updateMilliseconds = 100;                      // ten times a second
-constexpr int widthForRenderer = 1200, widthForTimes = 1100; // the hint has the room of the rest
+constexpr int widthForRenderer = 1300, widthForTimes = 1100; // the hint has the room of the rest
 
 QString visibleText(const app::FrameTimes& times)
 {

@@ -15,7 +15,8 @@ namespace ui {
 
 namespace {
 
-constexpr int leastNumberRoom = 54; // logical pixels
+// Logical pixels. In the narrowest column "−841.25" fits into each of three fields.
+constexpr int leastNumberRoom = 54, afterLabel = 3, afterField = 6;
 
 QLabel* labelled(const QString& text, LengthField& field)
 {
@@ -65,20 +66,23 @@ void WindowFields::addRows()
     using enum app::WindowValue;
     const auto row = [this](std::initializer_list<std::pair<const char*, app::WindowValue>> parts) {
         auto* line = new QHBoxLayout;
-        line->setSpacing(space::labelToField);
+        line->setSpacing(0);
         for (const auto& [label, value] : parts) {
+            line->addSpacing(line->count() == 0 ? 0 : afterField);
             line->addWidget(labelled(QString::fromUtf8(label), field(value)));
+            line->addSpacing(afterLabel);
             line->addWidget(&field(value), 1);
         }
         return line;
     };
     auto* size = row({{"W", Width}, {"H", Height}});
+    size->addSpacing(afterField);
     size->addWidget(unit_);
     size->addWidget(chain_);
     size->setContentsMargins(0, 0, 0, 0);
     size_->setLayout(size);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(space::dockMargin, 6, space::dockMargin, space::dockMargin);
+    column->setContentsMargins(space::dockMargin, 6, space::dockMargin - 4, space::dockMargin);
     column->setSpacing(6);
     column->addLayout(row({{"X", X}, {"Y", Y}, {"∠", Angle}}));
     column->addWidget(size_);

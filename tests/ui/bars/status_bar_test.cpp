@@ -54,16 +54,22 @@ private slots:
     {
         QTest::addColumn<QString>("sample");
         QTest::addColumn<QSize>("size");
-        QTest::newRow("an empty drawing") << QString() << QSize(1280, 800);
+        QTest::addColumn<bool>("dark"); // where the switch for dark paper takes room
+        QTest::newRow("an empty drawing") << QString() << QSize(1280, 800) << false;
         QTest::newRow("44,000 lines and a clip window")
-            << QStringLiteral("landscape") << QSize(1280, 800);
-        QTest::newRow("the smallest window") << QStringLiteral("landscape") << QSize(1024, 640);
+            << QStringLiteral("landscape") << QSize(1280, 800) << false;
+        QTest::newRow("in the dark theme")
+            << QStringLiteral("landscape") << QSize(1280, 800) << true;
+        QTest::newRow("the smallest window")
+            << QStringLiteral("landscape") << QSize(1024, 640) << false;
     }
     void theHintOfEveryToolFits()
     {
         QFETCH(QString, sample);
         QFETCH(QSize, size);
+        QFETCH(bool, dark);
         Window w(size);
+        w.window->setTheme(dark ? Theme::Dark : Theme::Light);
         if (!sample.isEmpty())
             w.open(QStringLiteral(SOURCE_DIR "/resources/samples/") + sample + ".svg");
         QCoreApplication::processEvents(); // the cells beside it have their widths

@@ -41,6 +41,17 @@ void type(QDoubleSpinBox* field, const QString& text)
     QTest::keyClick(field, Qt::Key_Return);
 }
 
+/// Of the clip window in the panel, in the order of app::WindowValue.
+QList<LengthField*> numbersOf(const TestWindow& t)
+{
+    QList<LengthField*> numbers;
+    for (const char* name : {"X", "Y", "Width", "Height", "Angle"})
+        for (auto* field : t.window->findChild<WindowPanel*>()->findChildren<LengthField*>())
+            if (field->accessibleName() == QLatin1StringView(name))
+                numbers << field;
+    return numbers;
+}
+
 /// Without the capsule of the chosen clip window, the panel has width and height.
 void switchCapsulesOff(const TestWindow& t)
 {
@@ -60,7 +71,7 @@ private slots:
         t.show();
         switchCapsulesOff(t);
         app::Session& session = t.window->session();
-        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        const auto fields = numbersOf(t);
         QCOMPARE(fields.size(), 5);
         type(fields[0], "25");
         QCOMPARE(session.history.count(), 1);
@@ -80,7 +91,7 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
-        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        const auto fields = numbersOf(t);
         const auto shown = [&fields](app::WindowValue which) {
             return fields[qsizetype(which)]->isVisible();
         };
@@ -148,7 +159,7 @@ private slots:
         std::chrono::steady_clock::time_point now{};
         session.history.setClock([&] { return now; });
         const auto before = sheetOf(session.document).window;
-        for (LengthField* field : t.window->findChild<WindowPanel*>()->findChildren<LengthField*>())
+        for (LengthField* field : numbersOf(t))
             for (const auto wait : {999ms, 1000ms}) {
                 const double start = field->value();
                 for (int i = 0; i < 3; ++i, now += wait)
@@ -159,7 +170,7 @@ private slots:
                 QVERIFY(sheetOf(session.document).window == before);
                 session.history.clear();
             }
-        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        const auto fields = numbersOf(t);
         type(fields[0], "25"); // typed text is a step of its own
         type(fields[0], "26");
         QCOMPARE(session.history.count(), 2);
@@ -208,7 +219,7 @@ private slots:
         app::Session& session = t.window->session();
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{-50, -50}, {50, 50}}));
         t.run("window-on-page");
-        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        const auto fields = numbersOf(t);
         QCOMPARE(fields[0]->text(), "0.00");
         type(fields[0], "10");
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{-40, -50}, {60, 50}}));
@@ -232,7 +243,7 @@ private slots:
         switchCapsulesOff(t);
         const auto chosen = [&] { return t.window->session().display().variant.algorithm; };
         const auto digit = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
-        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        const auto fields = numbersOf(t);
         type(fields[0], "25");
         digit(Qt::Key_2);
         QCOMPARE(chosen(), &clipping::algorithms()[1]);
@@ -250,7 +261,7 @@ private slots:
         t.open(t.twoLines());
         t.show();
         switchCapsulesOff(t);
-        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        const auto fields = numbersOf(t);
         type(fields[2], "-5");
         QCOMPARE(t.window->session().history.count(), 0);
         QCOMPARE(t.window->message(), "Width must be at least 0.");
@@ -262,7 +273,7 @@ private slots:
         t.open(t.twoLines());
         t.show();
         switchCapsulesOff(t);
-        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        const auto fields = numbersOf(t);
         auto* width = t.window->findChild<OptionBar*>()->findChild<LengthField*>();
         for (LengthField* field : {fields[2], width}) {
             t.window->tell({Message::Kind::Warning, "Markers were not kept."});
@@ -289,7 +300,7 @@ private slots:
         t.show();
         switchCapsulesOff(t);
         auto* panel = t.window->findChild<WindowPanel*>();
-        const auto fields = panel->findChildren<LengthField*>();
+        const auto fields = numbersOf(t);
         type(fields[3], "50");
         panel->findChild<QToolButton*>("keep-ratio")->click();
         type(fields[2], "50");
@@ -303,7 +314,7 @@ private slots:
         app::Display display = t.window->session().display();
         display.unit = app::Unit::Inch;
         t.window->session().setDisplay(display);
-        const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
+        const auto fields = numbersOf(t);
         QCOMPARE(fields[2]->text(), "3.937");
     }
     void theVerdictCountsLostLines()

@@ -272,8 +272,9 @@ private slots:
     void anAngleIsTyped()
     {
         Windows w;
-        auto* angle =
-            w.t.window->findChild<ui::WindowPanel*>()->findChildren<ui::LengthField*>()[4];
+        const auto fields =
+            w.t.window->findChild<ui::WindowPanel*>()->findChildren<ui::LengthField*>();
+        auto* angle = *std::ranges::find(fields, "Angle", &QWidget::accessibleName);
         angle->setFocus();
         angle->selectAll();
         QTest::keyClicks(angle, "30");
