@@ -16,6 +16,7 @@
 #include <QStackedLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui {
 
@@ -23,14 +24,6 @@ namespace {
 
 constexpr QSize usualSize(1280, 800);
 const QString placeKey = QStringLiteral("geometry"); // in the settings
-
-/// Panels that float are windows, which do not hide with the page that owns them.
-void showFloating(const MainWindow& window, bool shown)
-{
-    for (auto* dock : window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
-        if (dock->isFloating() && dock->toggleViewAction()->isChecked())
-            dock->setVisible(shown);
-}
 
 } // namespace
 
@@ -66,6 +59,13 @@ Desk::Open& Desk::add()
     connect(&tabs, &DrawingTabs::closeWanted, this, [this](int tab) { close(at(tab)); });
     connect(&tabs, &DrawingTabs::moved, this, &Desk::move);
     connect(&tabs, &DrawingTabs::newWanted, this, [this] { current().files().startNew(); });
+    connect(
+        &window->files(), &Files::notOpened, this,
+        [this, window = QPointer(window)](const Message& why) {
+            if (window)
+                removeUnopened(*window, why);
+        },
+        Qt::QueuedConnection);
     connect(&window->files(), &Files::nameChanged, this, &Desk::showTabs, Qt::QueuedConnection);
     pages_->addWidget(window);
     open_.push_back({window});
@@ -141,16 +141,39 @@ void Desk::show(MainWindow& window)
     if (&before != &window) {
         if (before.isPresenting()) // it enlarges all type
             before.togglePresenting();
-        showFloating(before, false);
+        hideFloating(open_[numberOf(before)]);
         CommandKeys::of(window).reread();
         window.takeOver(before);
         pages_->setCurrentWidget(&window);
-        showFloating(window, true);
+        for (const QPointer<QDockWidget>& dock : std::exchange(open_[current_].floating, {}))
+            if (dock)
+                dock->show();
         setFocusProxy(&window);
         window.canvas().setFocus();
     }
     showTabs();
     emit currentChanged();
+}
+
+/// Panels that float are windows, which do not hide with the page that owns them.
+void Desk::hideFloating(Open& open)
+{
+    for (auto* dock :
+         open.window->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        if (dock->isFloating() && dock->isVisible()) {
+            open.floating << dock;
+            dock->hide();
+        }
+}
+
+/// The window that was made for a file which could not be read has no purpose.
+void Desk::removeUnopened(MainWindow& window, const Message& why)
+{
+    const std::size_t number = numberOf(window);
+    if (number == open_.size() || count() == 1 || !window.files().isUnused())
+        return;
+    remove(number);
+    current().tell(why);
 }
 
 void Desk::open(const QStringList& files)

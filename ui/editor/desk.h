@@ -5,12 +5,14 @@
 #include "ui/window/drawings.h"
 #include "ui/window/main_window.h"
 
+#include <QPointer>
 #include <QStringList>
 #include <QWidget>
 
 #include <memory>
 #include <vector>
 
+class QDockWidget;
 class QStackedLayout;
 
 namespace ui {
@@ -55,12 +57,15 @@ private:
     struct Open {
         MainWindow* window;
         std::unique_ptr<Recovery> recovery{};
+        QList<QPointer<QDockWidget>> floating{}; ///< panels to show again with the window
     };
     std::size_t numberOf(const MainWindow& window) const;
     Open& add();
     Files* placeFor(MainWindow& asking, const QString& path);
     MainWindow* unused(MainWindow& asking);
     void addRecovery(Open& open);
+    void hideFloating(Open& open);
+    void removeUnopened(MainWindow& window, const Message& why);
     void remove(std::size_t number);
     void move(int from, int to);
     void showTabs();

@@ -99,6 +99,7 @@ public:
 signals:
     void documentWanted(); ///< finish the gesture: the document is about to be saved or replaced
     void told(const ui::Message& message);
+    void notOpened(const ui::Message& why); ///< a file; empty: it was cancelled
     void recentChanged();
     void nameChanged();
 

@@ -149,10 +149,13 @@ void Files::read(const QString& path, const Turn& turn)
         [path](const app::Follower&) { return opened(path); },
         [this, path, turn](std::optional<Opened> read) {
             if (!read)
-                return;
-            if (!read->drawing)
-                return emit told({Message::Kind::Warning,
-                                  Text::tr("%1 Nothing was changed.").arg(read->drawing.error)});
+                return emit notOpened({});
+            if (!read->drawing) {
+                const Message why{Message::Kind::Warning,
+                                  Text::tr("%1 Nothing was changed.").arg(read->drawing.error)};
+                emit told(why);
+                return emit notOpened(why);
+            }
             if (!show(std::move(*read->drawing.value), path, {}, std::move(read->blocks)))
                 return;
             noteRecent();
@@ -170,9 +173,8 @@ void Files::tellLosses()
     sentences.removeAll(QString());
     if (sentences.isEmpty())
         sentences << Text::tr("%1 was opened with some changes.").arg(name());
-    emit told(
-        {Message::Kind::Warning, sentences.join(u' '),
-         Text::tr("Show details"), [this, losses] { questions_->showLosses(name(), losses); }});
+    emit told({Message::Kind::Warning, sentences.join(u' '), Text::tr("Show details"),
+               [this, losses] { questions_->showLosses(name(), losses); }});
 }
 
 void Files::openSample(const app::Sample& sample)

@@ -273,6 +273,36 @@ private slots:
         QSettings().remove("shortcuts");
     }
 
+    void aFileThatCannotBeReadLeavesNoTab()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        QFile bad(t.folder.filePath("bad.svg"));
+        QVERIFY(bad.open(QIODevice::WriteOnly));
+        bad.write("<svg this is none");
+        bad.close();
+        t.open(bad.fileName());
+        QTRY_COMPARE(t.desk->count(), 1);
+        QVERIFY(t.desk->current().session().path().endsWith("one.svg"));
+        QVERIFY(t.desk->current().message().contains("bad.svg"));
+    }
+
+    void floatingPanelsGoWithTheirDrawing()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        MainWindow& first = t.desk->current();
+        auto* layers = first.findChild<QDockWidget*>("layers");
+        layers->show();
+        layers->setFloating(true);
+        QVERIFY(layers->isVisible());
+        t.open(t.file("two.svg"));
+        QVERIFY(!layers->isVisible());
+        t.desk->showNext(1);
+        QCOMPARE(&t.desk->current(), &first);
+        QVERIFY(layers->isVisible() && layers->isFloating());
+    }
+
     void thereIsALimit()
     {
         TestDesk t;
