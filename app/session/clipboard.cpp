@@ -2,12 +2,16 @@
 #include "app/session/clipboard.h"
 
 #include "app/commands/set_style.h"
+#include "app/document/paper.h"
 #include "app/document/tree_draft.h"
+#include "app/export/drawn_box.h"
+#include "app/export/part_of_drawing.h"
 #include "app/formats/format.h"
 #include "app/formats/svg/writer.h"
 
 #include <QBuffer>
 
+#include <algorithm>
 #include <unordered_set>
 
 namespace app {
@@ -16,6 +20,16 @@ namespace {
 const QString ownType = QStringLiteral("application/x-clearcut+svg");
 const QString svgType = QStringLiteral("image/svg+xml");
 const QString textType = QStringLiteral("text/plain");
+const QString pdfType = QStringLiteral("application/pdf");
+const QString pngType = QStringLiteral("image/png");
+constexpr double usualDpi = 300, mostPixels = 4000;
+
+Document onPaperOfItsSize(Document drawing)
+{
+    if (const auto box = drawnBox(drawing))
+        drawing.apply({.page = paperAround(drawing.page(), *box)});
+    return drawing;
+}
 
 // An object from a page with other units, scaled to this page; its stroke by another factor.
 Object scaledObject(Object object, double factor, double strokes)
@@ -67,7 +81,7 @@ class CopiedDrawing final : public QMimeData {
 public:
     explicit CopiedDrawing(Document drawing) : drawing_(std::move(drawing)) {}
 
-    QStringList formats() const override { return {ownType, svgType, textType}; }
+    QStringList formats() const override { return {ownType, svgType, pdfType, pngType, textType}; }
     bool hasFormat(const QString& type) const override { return formats().contains(type); }
 
 protected:
@@ -75,6 +89,10 @@ protected:
     {
         if (type == ownType)
             return written(own_, svg::write);
+        if (type == pdfType)
+            return picture(pdf_, u"pdf");
+        if (type == pngType)
+            return picture(png_, u"png");
         const QByteArray& pixels = written(pixels_, svg::writeInPixels);
         return type == textType  ? QVariant(QString::fromUtf8(pixels))
                : type == svgType ? QVariant(pixels)
@@ -91,8 +109,23 @@ private:
         return bytes;
     }
 
+    const QByteArray& picture(QByteArray& bytes, QStringView format) const
+    {
+        if (!bytes.isEmpty())
+            return bytes;
+        const Document drawing = onPaperOfItsSize(drawing_);
+        const Point paper = millimetresOf(drawing.page());
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        if (findFormat(format)->write(
+                drawing, buffer,
+                {.dpi = std::min(usualDpi, mostPixels * 25.4 / std::max(paper.x, paper.y))}))
+            bytes.clear();
+        return bytes;
+    }
+
     const Document drawing_;
-    mutable QByteArray own_, pixels_;
+    mutable QByteArray own_, pixels_, pdf_, png_;
 };
 
 } // namespace

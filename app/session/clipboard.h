@@ -10,7 +10,8 @@
 namespace app {
 
 /// Objects for this program, which reads them back bit for bit, and for others: SVG as image and as
-/// text, in pixels, because Inkscape ignores the unit of what it pastes. Groups are copied if they
+/// text, in pixels, because Inkscape ignores the unit of what it pastes; PDF and a PNG picture
+/// (300 dpi, at most 4,000 pixels a side), on paper as large as what is seen of them. Groups are copied if they
 /// are chosen as a whole (TreeDraft).
 std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& objects,
                                   ContainerId entered = 0);

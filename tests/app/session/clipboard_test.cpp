@@ -5,6 +5,7 @@
 
 #include <QBuffer>
 #include <QFile>
+#include <QImage>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -63,6 +64,34 @@ private slots:
         QVERIFY(glm::distance(objects[0].singleLine()->a, {10, 20}) < 1e-9);
         QVERIFY(std::abs(objects[0].style().width - 5) < 1e-9);
     }
+    void otherProgramsGetPictures()
+    {
+        // A line of 50.8 mm, 1 mm wide: 600 by about 12 pixels at 300 dpi.
+        app::DocumentBuilder builder;
+        builder.open({.name = "one"});
+        builder.add(app::Object{app::Path(clipping::Segment{{10, 20}, {60.8, 20}}),
+                                {.stroke = app::Colour{255, 0, 0}, .width = 1}});
+        builder.close();
+        const auto copy = app::copied(builder.take({}), {0});
+        const QImage png = QImage::fromData(copy->data(QStringLiteral("image/png")), "PNG");
+        QVERIFY(std::abs(png.width() - 600) <= 1 && std::abs(png.height() - 12) <= 1);
+        QCOMPARE(png.pixelColor(300, 6), QColor(255, 0, 0));
+        QVERIFY(copy->data(QStringLiteral("application/pdf")).startsWith("%PDF-"));
+        const app::Document none = app::pasted(*copy, {});
+        QCOMPARE(none.objects().size(), std::size_t(1)); // it comes back as lines
+    }
+    // A picture of a large drawing is no larger than a screen needs.
+    void aLargePictureHasALimit()
+    {
+        app::DocumentBuilder builder;
+        builder.open({.name = "one"});
+        builder.add(app::Object{app::Path(clipping::Segment{{0, 0}, {90000, 10}}),
+                                {.stroke = app::Colour{}, .width = 1}});
+        builder.close();
+        const QImage png = QImage::fromData(
+            app::copied(builder.take({}), {0})->data(QStringLiteral("image/png")), "PNG");
+        QVERIFY(png.width() > 3900 && png.width() <= 4001);
+    }
     // Other programs get pixels, and a group that scales them, because Inkscape ignores the size of
     // the unit. Through them, too, a copy comes back, apart from rounding.
     void otherProgramsGetPixels()
@@ -70,7 +99,7 @@ private slots:
         const app::Document document =
             drawing({{10, 20}, {100, 50}, {100, app::Unit::Mm}, {50, app::Unit::Mm}});
         const auto copy = app::copied(document, {0, 2});
-        QCOMPARE(copy->formats().size(), 3);
+        QCOMPARE(copy->formats().size(), 5);
         const QByteArray svg = copy->data(QStringLiteral("image/svg+xml"));
         QCOMPARE(QString::fromUtf8(svg), copy->text());
         QVERIFY2(svg.contains("width=\"377.9527559055118px\""), svg);
