@@ -16,6 +16,7 @@
 #include <QStackedLayout>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace ui {
@@ -51,11 +52,16 @@ Desk::Open& Desk::add()
     auto* window = new MainWindow(backend_, this);
     addMenus(*window);
     window->setDrawings(this);
-    window->files().setPlace(
-        [this, window](const QString& path) { return placeFor(*window, path); });
+    window->files().setOthers(
+        [this, window](const QString& path) { return placeFor(*window, path); },
+        [this, window](const QString& path) {
+            return std::ranges::any_of(open_, [&](const Open& open) {
+                return open.window != window && open.window->files().holds(path);
+            });
+        });
     window->installEventFilter(this);
     DrawingTabs& tabs = window->drawingTabs();
-    connect(&tabs, &DrawingTabs::chosen, this, [this](int tab) { show(at(tab)); });
+    connect(&tabs, &DrawingTabs::chosen, this, [this](int tab) { showWindow(at(tab)); });
     connect(&tabs, &DrawingTabs::closeWanted, this, [this](int tab) { close(at(tab)); });
     connect(&tabs, &DrawingTabs::moved, this, &Desk::move);
     connect(&tabs, &DrawingTabs::newWanted, this, [this] { current().files().startNew(); });
@@ -86,7 +92,7 @@ void Desk::offerRecovery()
     Recovery& first = *open_.front().recovery;
     first.setPlace([this]() -> Recovery& {
         MainWindow* window = unused(current());
-        show(window ? *window : *add().window);
+        showWindow(window ? *window : *add().window);
         return *open_[current_].recovery;
     });
     first.offer();
@@ -113,12 +119,13 @@ MainWindow* Desk::unused(MainWindow& asking)
     return found == open_.end() ? nullptr : found->window;
 }
 
-Files* Desk::placeFor(MainWindow& asking, const QString& path)
+Files* Desk::placeFor(MainWindow& from, const QString& path)
 {
+    MainWindow& asking = numberOf(from) == open_.size() ? current() : from; // it is being closed
     if (!path.isEmpty())
         for (const Open& open : open_)
-            if (open.window->session().path() == path) {
-                show(*open.window);
+            if (open.window->files().holds(path)) {
+                showWindow(*open.window);
                 return nullptr;
             }
     MainWindow* window = unused(asking);
@@ -130,15 +137,18 @@ Files* Desk::placeFor(MainWindow& asking, const QString& path)
     }
     if (!window)
         window = add().window;
-    show(*window);
+    showWindow(*window);
     return &window->files();
 }
 
-void Desk::show(MainWindow& window)
+void Desk::showWindow(MainWindow& window)
 {
+    if (numberOf(window) == open_.size())
+        return;
     MainWindow& before = current();
     current_ = numberOf(window);
     if (&before != &window) {
+        before.canvas().endGesture();
         if (before.isPresenting()) // it enlarges all type
             before.togglePresenting();
         hideFloating(open_[numberOf(before)]);
@@ -149,7 +159,8 @@ void Desk::show(MainWindow& window)
             if (dock)
                 dock->show();
         setFocusProxy(&window);
-        window.canvas().setFocus();
+        QWidget* const last = window.focusWidget(); // such as a field of its sheet
+        (last ? last : &window.canvas())->setFocus();
     }
     showTabs();
     emit currentChanged();
@@ -182,27 +193,22 @@ void Desk::open(const QStringList& files)
         current().files().open(file);
 }
 
-void Desk::showNext(int by) { show(at((int(current_) + by + count()) % count())); }
+void Desk::showNext(int by) { showWindow(at((int(current_) + by + count()) % count())); }
 
 void Desk::close(MainWindow& window)
 {
-    show(window);
-    const QString path = window.session().path();
-    if (count() == 1)
-        return window.files().mayClose([this, path, &window](bool agreed) {
-            if (!agreed)
-                return;
-            if (!path.isEmpty())
-                closed_ << path;
-            window.files().clear();
-            window.raisePanel(QStringLiteral("start"));
-        });
-    window.files().mayClose([this, path, &window](bool agreed) {
+    if (numberOf(window) == open_.size())
+        return;
+    showWindow(window);
+    window.files().mayClose([this, &window](bool agreed) {
         if (!agreed)
             return;
-        if (!path.isEmpty())
+        if (const QString path = window.session().path(); !path.isEmpty())
             closed_ << path;
-        remove(numberOf(window));
+        if (count() > 1)
+            return remove(numberOf(window));
+        window.files().clear();
+        window.raisePanel(QStringLiteral("start"));
     });
 }
 
@@ -212,7 +218,7 @@ void Desk::remove(std::size_t number)
     MainWindow* const window = open_[number].window;
     if (number == current_) {
         const std::size_t next = number + 1 < open_.size() ? number + 1 : number - 1;
-        show(*open_[next].window);
+        showWindow(*open_[next].window);
     }
     window->saveLayout();
     window->removeEventFilter(this);
@@ -230,8 +236,10 @@ void Desk::remove(std::size_t number)
 
 void Desk::reopen()
 {
-    if (canReopen())
-        current().files().open(closed_.takeLast());
+    if (!canReopen())
+        return;
+    const bool hasPlace = count() < most_ || unused(current());
+    current().files().open(hasPlace ? closed_.takeLast() : closed_.last());
 }
 
 void Desk::move(int from, int to)
@@ -253,12 +261,16 @@ void Desk::showTabs()
     for (const Open& open : open_)
         tabs.push_back({open.window->files().name(), open.window->session().path(),
                         !open.window->session().history.isClean()});
-    // Files of the same name are told apart by their folders.
+    // Files of the same name are told apart by their folders, and others by numbers.
     std::vector<DrawingTab> named = tabs;
-    for (std::size_t i = 0; i < tabs.size(); ++i)
-        if (!tabs[i].tip.isEmpty() && std::ranges::count(tabs, tabs[i].name, &DrawingTab::name) > 1)
-            named[i].name = QStringLiteral("%1 – %2").arg(
-                tabs[i].name, QFileInfo(tabs[i].tip).absoluteDir().dirName());
+    for (DrawingTab& tab : named)
+        if (!tab.tip.isEmpty() && std::ranges::count(tabs, tab.name, &DrawingTab::name) > 1)
+            tab.name =
+                QStringLiteral("%1 – %2").arg(tab.name, QFileInfo(tab.tip).absoluteDir().dirName());
+    std::map<QString, int> numbers;
+    for (DrawingTab& tab : named)
+        if (const int number = ++numbers[tab.name]; number > 1)
+            tab.name = QStringLiteral("%1 (%2)").arg(tab.name).arg(number);
     current().drawingTabs().show(named, int(current_));
     setWindowTitle(current().windowTitle());
     setWindowFilePath(current().windowFilePath());
@@ -296,8 +308,9 @@ void Desk::askFrom(std::size_t number)
             this, [this] { close(); }, Qt::QueuedConnection));
     }
     MainWindow& window = *open_[number].window;
+    window.canvas().endGesture(); // which may be its only change
     if (!window.session().history.isClean())
-        show(window);
+        showWindow(window);
     window.files().mayClose([this, number](bool agreed) {
         if (agreed)
             return askFrom(number + 1);

@@ -33,7 +33,7 @@ public:
     MainWindow& current() const { return *open_[current_].window; }
     MainWindow& at(int number) const { return *open_[std::size_t(number)].window; }
     void setMost(int drawings) { most_ = drawings; } ///< that can be open at a time
-    void show(MainWindow& window);
+    void showWindow(MainWindow& window) override;
     void open(const QStringList& files);
 
     int count() const override { return int(open_.size()); }
@@ -43,7 +43,7 @@ public:
     bool canReopen() const override { return !closed_.isEmpty(); }
 
     using QWidget::close;
-    using QWidget::show;
+    bool isLeaving() const { return leaving_ != Leaving::No; } ///< the program is being quit
 
 signals:
     void made(MainWindow& window); ///< a further one
@@ -59,7 +59,7 @@ private:
         std::unique_ptr<Recovery> recovery{};
         QList<QPointer<QDockWidget>> floating{}; ///< panels to show again with the window
     };
-    std::size_t numberOf(const MainWindow& window) const;
+    std::size_t numberOf(const MainWindow& window) const; ///< count(): it is being closed
     Open& add();
     Files* placeFor(MainWindow& asking, const QString& path);
     MainWindow* unused(MainWindow& asking);

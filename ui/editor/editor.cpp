@@ -259,8 +259,10 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
                                  std::fprintf(stderr, "first frame after %lld ms\n",
                                               static_cast<long long>(clock.elapsed()));
                          });
-    const Listener listener(socket);
+    Listener listener(socket);
+    listener.setAccepting([&desk] { return !desk.isLeaving(); });
     QObject::connect(&listener, &Listener::wanted, &desk, [&desk](const QStringList& files) {
+        desk.setWindowState(desk.windowState() & ~Qt::WindowMinimized);
         desk.raise();
         desk.activateWindow();
         desk.open(files);
@@ -320,9 +322,12 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
     const auto application = startApplication(argc, argv);
-    const QString socket = options.isPlain() ? socketOfProgram() : QString();
-    if (handOver(socket, options.absoluteFiles()))
+    QString socket = options.isPlain() ? socketOfProgram() : QString();
+    const HandedOver handedOver = handOver(socket, options.absoluteFiles());
+    if (handedOver == HandedOver::Taken)
         return int(app::Exit::Done);
+    if (handedOver == HandedOver::Refused)
+        socket.clear(); // it stays the other program's
     applyTheme(*application, options.theme.value_or(savedTheme()));
     return show(*application, options, clock, socket);
 }

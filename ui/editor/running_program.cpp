@@ -19,7 +19,7 @@ namespace {
 constexpr int patience = 2000;          // milliseconds
 constexpr qint64 mostBytes = 1'000'000; // of a message
 constexpr quint32 sign = 0x636C6331;    // "clc1": this form of a message
-constexpr char taken = '\x06';
+constexpr char acknowledgement = '\x06';
 
 bool isPrivate(const QFileInfo& folder)
 {
@@ -45,26 +45,28 @@ QString socketOfProgram()
             QCryptographicHash::hash(display, QCryptographicHash::Sha256).toHex().left(digits)));
 }
 
-bool handOver(const QString& socket, const QStringList& files)
+HandedOver handOver(const QString& socket, const QStringList& files)
 {
     if (socket.isEmpty())
-        return false;
+        return HandedOver::NobodyIsThere;
     QLocalSocket there;
     there.connectToServer(socket);
     if (!there.waitForConnected(patience))
-        return false;
+        return HandedOver::NobodyIsThere;
     QDataStream stream(&there);
     stream.setVersion(QDataStream::Qt_6_4);
     stream << sign << files;
     there.flush();
     char answer = 0;
-    return there.waitForReadyRead(patience) && there.getChar(&answer) && answer == taken;
+    const bool taken =
+        there.waitForReadyRead(patience) && there.getChar(&answer) && answer == acknowledgement;
+    return taken ? HandedOver::Taken : HandedOver::Refused;
 }
 
 Listener::Listener(const QString& socket, QObject* parent)
     : QObject(parent), server_(std::make_unique<QLocalServer>())
 {
-    if (socket.isEmpty() || handOver(socket, {}))
+    if (socket.isEmpty())
         return;
     connect(server_.get(), &QLocalServer::newConnection, this, &Listener::answer);
     server_->setSocketOptions(QLocalServer::UserAccessOption);
@@ -92,7 +94,9 @@ void Listener::answer()
             stream >> files;
             if (!stream.commitTransaction())
                 return; // the rest is still to come, or the timer ends it
-            from->putChar(taken);
+            if (accepting_ && !accepting_())
+                return from->abort();
+            from->putChar(acknowledgement);
             from->flush();
             from->disconnectFromServer();
             for (const QString& file : files)

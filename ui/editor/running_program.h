@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <functional>
 #include <memory>
 
 class QLocalServer;
@@ -15,16 +16,19 @@ namespace ui {
 QString socketOfProgram();
 
 /// Asks the program that listens at `socket` to open files (absolute paths; none: to come to the
-/// front). False: nobody listens, or nobody answered within two seconds.
-bool handOver(const QString& socket, const QStringList& files);
+/// front). Refused: it did not answer within two seconds, or is being quit.
+enum class HandedOver : std::uint8_t { Taken, Refused, NobodyIsThere };
+HandedOver handOver(const QString& socket, const QStringList& files);
 
 /// The running program's end: takes files from those that are started later.
 class Listener : public QObject {
     Q_OBJECT
 
 public:
-    /// Listens, unless somebody else does. What a program that crashed left is removed.
+    /// To be made if nobody is there. What a program that crashed left is removed.
     explicit Listener(const QString& socket, QObject* parent = nullptr);
+    /// Whether files are taken now; always, unless this is set.
+    void setAccepting(std::function<bool()> accepting) { accepting_ = std::move(accepting); }
     ~Listener() override;
 
 signals:
@@ -34,6 +38,7 @@ private:
     void answer();
 
     std::unique_ptr<QLocalServer> server_;
+    std::function<bool()> accepting_;
 };
 
 } // namespace ui

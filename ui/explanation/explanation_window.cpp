@@ -33,7 +33,7 @@ constexpr int contentsWidth = 204, fieldWidth = 220;
 /// Where the panels are, which are at the right of the editor.
 void putOverPanels(QWidget& help, const QWidget& editor)
 {
-    const QRect there = editor.frameGeometry();
+    const QRect there = editor.window()->frameGeometry();
     help.move(there.right() - help.frameGeometry().width(), there.top() + space::rowHeight * 2);
     fitToScreens(help);
 }
@@ -41,7 +41,7 @@ void putOverPanels(QWidget& help, const QWidget& editor)
 } // namespace
 
 ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
-    : QDialog(&window, Qt::Window), session_(session), window_(window),
+    : QDialog(&window, Qt::Window), session_(session),
       questions_(std::make_unique<Questions>(*this)), contents_(new HelpContents),
       page_(new PageView), wanted_(new QLineEdit), found_(new ElidedLabel), strip_(new MessageStrip)
 {
@@ -129,8 +129,7 @@ QWidget* ExplanationWindow::bar()
         app::TracedLine tracedLine = app::firstTracedLine(session_);
         tracedLine.variant = {page_->algorithm(), clipping::Form::Corrected};
         session_.microscope.open(tracedLine);
-        window_.raise();
-        window_.activateWindow();
+        emit editorWanted();
     });
     auto* whole = new QWidget;
     auto* row = new QHBoxLayout(whole);
@@ -224,8 +223,7 @@ void ExplanationWindow::follow(const QUrl& link)
 {
     if (const auto tracedLine = app::tracedLineOf(link)) {
         session_.microscope.open(*tracedLine);
-        window_.raise();
-        window_.activateWindow();
+        emit editorWanted();
     } else if (link.scheme() != QStringLiteral("clearcut")) {
         QDesktopServices::openUrl(link);
     } else if (const auto* hard = app::findHardCase(link.path().section(u'/', 1))) {

@@ -26,8 +26,7 @@ class ExplanationWindow : public QDialog {
     Q_OBJECT
 
 public:
-    /// Opens examples in the microscope of `session`, and brings the editor's `window` to the
-    /// front.
+    /// Opens examples in the microscope of `session`. Stands beside the editor's `window` at first.
     ExplanationWindow(app::Session& session, QWidget& window);
     ~ExplanationWindow() override;
 
@@ -43,6 +42,7 @@ public:
     PageView& page() { return *page_; }
 
 signals:
+    void editorWanted(); ///< in front, with its microscope
     void hardCaseWanted(const app::HardCase& hard);
     void failingWanted(const QString& variant); ///< the cases that this variant gets wrong
 
@@ -61,7 +61,6 @@ private:
     void showPlace();
 
     app::Session& session_;
-    QWidget& window_;
     std::unique_ptr<Questions> questions_;
     HelpContents* contents_;
     PageView* page_;

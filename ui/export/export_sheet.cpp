@@ -130,7 +130,9 @@ void ExportSheet::chooseFile()
 
 void ExportSheet::showFile()
 {
-    const app::PathRemark remark = app::remarkOn(path());
+    app::PathRemark remark = app::remarkOn(path());
+    if (const QString why = files_.refusalToWrite(path()); !why.isEmpty())
+        remark = {why, true};
     remark_->setText(remark.text);
     remark_->setVisible(!remark.text.isEmpty());
     remark_->setColour([impossible = remark.isFault](const Look& look) {

@@ -28,6 +28,31 @@ void Files::setQuestions(std::unique_ptr<Questions> questions)
     questions_ = std::move(questions);
 }
 
+void Files::setOthers(Place place, Held held)
+{
+    place_ = std::move(place);
+    held_ = std::move(held);
+}
+
+bool Files::holds(const QString& path) const
+{
+    const auto isSame = [](const QString& a, const QString& b) {
+        const QFileInfo first(a), second(b);
+        return !a.isEmpty()
+               && (first.absoluteFilePath() == second.absoluteFilePath()
+                   || (first.exists() && first.canonicalFilePath() == second.canonicalFilePath()));
+    };
+    return isSame(session_.path(), path) || isSame(opening_, path);
+}
+
+QString Files::refusalToWrite(const QString& path) const
+{
+    if (!holds(path) && !(held_ && held_(path)))
+        return {};
+    return Text::tr("%1 is an open drawing, which must not be replaced. Choose another name.")
+        .arg(QFileInfo(path).fileName());
+}
+
 QString Files::name() const
 {
     if (!session_.path().isEmpty())

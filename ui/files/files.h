@@ -35,8 +35,13 @@ public:
     /// these; or null: this file is open and shown. Without it, it replaces the drawing here.
     /// Null also if no more can be open.
     using Place = std::function<Files*(const QString& path)>; ///< empty: it is not of a file
-    void setPlace(Place place) { place_ = std::move(place); }
+    /// Whether another drawing has this file, so that it must not be written.
+    using Held = std::function<bool(const QString& path)>;
+    void setOthers(Place place, Held held);
     bool isUnused() const; ///< an empty drawing or a sample, without changes: it may be replaced
+    bool holds(const QString& path) const; ///< it is the drawing's file, or the one being opened
+    /// Why this file must not be written by an export, in one sentence: it is an open drawing.
+    QString refusalToWrite(const QString& path) const;
 
     /// Called once, unless the window is destroyed before; at once if nothing has to be read,
     /// written or waited for.
@@ -47,8 +52,10 @@ public:
     void open();
     void open(const QString& path);
     void openSample(const app::Sample& sample);
-    /// Opens a document made by the program; false: the person kept the current one.
-    void openMade(app::Document document, const QString& title, Answer opened = {});
+    /// Opens a document made by the program. The answer has the session that shows it; null: the
+    /// person kept the current drawing.
+    void openMade(app::Document document, const QString& title,
+                  std::function<void(app::Session*)> opened = {});
     void save(Answer saved = {});
     void saveAs(Answer saved = {});
     /// Writes an export in the background; `written` is told whether the file is there.
@@ -162,7 +169,9 @@ private:
     app::Session& session_;
     std::unique_ptr<Questions> questions_;
     QString title_, sample_;
+    QString opening_; ///< the file that is being read; empty: none
     Place place_;
+    Held held_;
     std::optional<app::DrawingExport> exported_; ///< the last export since this drawing was opened
     QDateTime seen_; ///< the file's modification time when we last read or wrote it
     app::FileWatch watch_;

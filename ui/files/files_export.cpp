@@ -17,6 +17,10 @@ namespace ui {
 
 void Files::exportTo(const app::ExportJob& job, const QString& path, Answer written)
 {
+    if (const QString why = refusalToWrite(path); !why.isEmpty()) {
+        emit told({Message::Kind::Warning, why});
+        return written ? written(false) : void();
+    }
     background_.inTurn([=, this](const Turn& turn) {
         emit documentWanted();
         background_.run(

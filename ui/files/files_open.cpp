@@ -94,7 +94,7 @@ bool Files::show(app::Imported imported, const QString& path, const QString& tit
 bool Files::isUnused() const
 {
     const app::Document& drawing = session_.now();
-    return !busy() && session_.path().isEmpty()
+    return opening_.isEmpty() && session_.path().isEmpty()
            && (sample_.isEmpty() ? session_.history.isClean() && drawing.objects().empty()
                                  : app::isUnchangedSample(sample_, drawing));
 }
@@ -112,17 +112,18 @@ void Files::startNew(std::function<void()> started)
 
 void Files::clear() { show({app::newDrawing(), {}}, {}, {}); }
 
-void Files::openMade(app::Document document, const QString& title, Answer opened)
+void Files::openMade(app::Document document, const QString& title,
+                     std::function<void(app::Session*)> opened)
 {
     if (Files* there = placeFor(); there != this)
         return there    ? there->openMade(std::move(document), title, std::move(opened))
-               : opened ? opened(false)
+               : opened ? opened(nullptr)
                         : void();
     mayClose(
         [this, document = std::move(document), title, opened = std::move(opened)](bool mayReplace) {
             const bool shown = mayReplace && show({document, {}}, {}, title);
             if (opened)
-                opened(shown);
+                opened(shown ? &session_ : nullptr);
         });
 }
 
@@ -139,7 +140,12 @@ void Files::open(const QString& path)
     const QString absolute = QFileInfo(path).absoluteFilePath();
     if (Files* there = placeFor(absolute); there != this)
         return there ? there->open(path) : void();
-    replace([this, absolute](const Turn& turn) { read(absolute, turn); });
+    opening_ = absolute;
+    background_.inTurn([this, absolute](const Turn& turn) {
+        keepChanges([this, absolute, turn](bool mayReplace) {
+            mayReplace ? read(absolute, turn) : opening_.clear();
+        });
+    });
 }
 
 void Files::read(const QString& path, const Turn& turn)
@@ -148,6 +154,7 @@ void Files::read(const QString& path, const Turn& turn)
         Text::tr("Opening %1…").arg(QFileInfo(path).fileName()),
         [path](const app::Follower&) { return opened(path); },
         [this, path, turn](std::optional<Opened> read) {
+            opening_.clear();
             if (!read)
                 return emit notOpened({});
             if (!read->drawing) {

@@ -60,6 +60,10 @@ void Files::printTo(const app::ExportJob& job, const app::PrintChoice& choice, A
 void Files::printToFile(const app::ExportJob& job, const app::PrintChoice& choice,
                         const QString& path, Answer printed)
 {
+    if (const QString why = refusalToWrite(path); !why.isEmpty()) {
+        emit told({Message::Kind::Warning, why});
+        return printed ? printed(false) : void();
+    }
     background_.inTurn([=, this](const Turn& turn) {
         emit documentWanted();
         printNow({job, choice, QFileInfo(path).fileName(),

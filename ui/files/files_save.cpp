@@ -80,9 +80,11 @@ void Files::askPath(const Answer& saved)
 {
     const QString path = questions_->fileToSave(
         Text::tr("Save as"), proposal(QStringLiteral(".svg")), Questions::Formats::Native);
-    if (!path.isEmpty() && isNative(path))
+    if (held_ && held_(path))
+        emit told({Message::Kind::Warning, refusalToWrite(path)});
+    else if (!path.isEmpty() && isNative(path))
         return write(path, saved);
-    if (!path.isEmpty())
+    else if (!path.isEmpty())
         emit told(
             {Message::Kind::Warning, Text::tr("%1 was not saved, because drawings are saved only "
                                               "as SVG. “Export…” writes other types.")

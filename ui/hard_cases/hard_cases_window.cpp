@@ -24,10 +24,9 @@ constexpr int leastLeft = 330;
 } // namespace
 
 HardCasesWindow::HardCasesWindow(app::Session& session, Files& files, QWidget& window)
-    : QDialog(&window, Qt::Window), session_(session), files_(files), window_(window),
-      search_(new QLineEdit), choice_(new QComboBox),
-      nothing_(new QLabel(Text::tr("No hard case is like that."))), list_(new CaseList),
-      view_(new CaseView), choices_(app::caseChoices())
+    : QDialog(&window, Qt::Window), session_(session), files_(files), search_(new QLineEdit),
+      choice_(new QComboBox), nothing_(new QLabel(Text::tr("No hard case is like that."))),
+      list_(new CaseList), view_(new CaseView), choices_(app::caseChoices())
 {
     setObjectName(QStringLiteral("hard-cases"));
     setWindowTitle(Text::tr("Hard cases"));
@@ -102,8 +101,7 @@ void HardCasesWindow::chooseFailing(const QString& variant)
 void HardCasesWindow::openMicroscope(const app::HardCase& hard, const app::Variant& variant)
 {
     session_.microscope.open(app::tracedLineOf(hard, variant));
-    window_.raise();
-    window_.activateWindow();
+    emit editorWanted();
 }
 
 /// Opens the case as a drawing with the variant that was viewed, so that the canvas shows its
@@ -113,15 +111,16 @@ void HardCasesWindow::draw(const app::HardCase& hard, const app::Variant& varian
     const auto document = app::documentOf(hard);
     if (!document)
         return;
-    files_.openMade(*document.value, hard.title, [self = QPointer(this), variant](bool opened) {
-        if (!self || !opened)
-            return;
-        self->session_.changeDisplay([&variant](app::Display& display) {
-            display.variant = {variant.algorithm, variant.form};
-        });
-        self->window_.raise();
-        self->window_.activateWindow();
-    });
+    files_.openMade(*document.value, hard.title,
+                    [self = QPointer(this), variant](app::Session* shown) {
+                        if (!self || !shown)
+                            return;
+                        shown->changeDisplay([&variant](app::Display& display) {
+                            display.variant = {variant.algorithm, variant.form};
+                        });
+                        self->parentWidget()->window()->raise();
+                        self->parentWidget()->window()->activateWindow();
+                    });
 }
 
 void HardCasesWindow::hideEvent(QHideEvent* event)

@@ -33,6 +33,9 @@ public:
     CaseList& list() { return *list_; }
     CaseView& view() { return *view_; }
 
+signals:
+    void editorWanted(); ///< in front, with its microscope
+
 protected:
     void hideEvent(QHideEvent* event) override;
 
@@ -44,7 +47,6 @@ private:
 
     app::Session& session_;
     Files& files_;
-    QWidget& window_;
     QLineEdit* search_;
     QComboBox* choice_;
     QLabel* nothing_;

@@ -87,6 +87,7 @@ void OtherWindows::showHardCases()
     if (!hardCases_) {
         hardCases_ = new HardCasesWindow(window_.session(), window_.files(), window_);
         addHelp(*hardCases_, QStringLiteral("hard-cases"));
+        connect(hardCases_, &HardCasesWindow::editorWanted, &window_, &MainWindow::comeToFront);
     }
     bringToFront(*hardCases_);
 }
@@ -121,6 +122,7 @@ ExplanationWindow& OtherWindows::reader()
                     showHardCases();
                     hardCases_->chooseFailing(variant);
                 });
+        connect(explanation_, &ExplanationWindow::editorWanted, &window_, &MainWindow::comeToFront);
         connect(&window_.canvas(), &Canvas::toolChanged, explanation_,
                 [this] { explanation_->takeInHand(app::topicExplaining(commandInHand(window_))); });
     }

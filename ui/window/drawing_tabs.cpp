@@ -6,6 +6,7 @@
 #include "ui/look/text.h"
 
 #include <QAbstractButton>
+#include <QGuiApplication>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -79,6 +80,8 @@ protected:
         if (const int tab = tabAt(event->pos()); event->button() == Qt::MiddleButton && tab >= 0)
             return emit tabs_.closeWanted(tab);
         QTabBar::mouseReleaseEvent(event);
+        if (event->button() == Qt::LeftButton) // not before: it may be dragged
+            emit tabs_.chosen(currentIndex());
     }
 
 private:
@@ -113,10 +116,6 @@ DrawingTabs::DrawingTabs(QWidget* parent)
     more->setAccessibleName(Text::tr("New drawing"));
     addWidget(more);
     connect(more, &QToolButton::clicked, this, &DrawingTabs::newWanted);
-    connect(bar_, &QTabBar::tabBarClicked, this, [this](int tab) {
-        if (tab >= 0 && tab != bar_->currentIndex())
-            emit chosen(tab);
-    });
     connect(bar_, &QTabBar::tabMoved, this, &DrawingTabs::moved);
     hide();
 }
@@ -138,6 +137,8 @@ void DrawingTabs::show(const std::vector<DrawingTab>& tabs, int current)
                                                    : tab.name);
         DrawingTab& before = shown_[std::size_t(i)];
         if (before != tab || !bar_->tabButton(i, QTabBar::RightSide)) {
+            if (QWidget* old = bar_->tabButton(i, QTabBar::RightSide))
+                old->deleteLater();
             auto* mark = new TabMark(*bar_, tab.modified);
             connect(mark, &QAbstractButton::clicked, this, [this, mark] {
                 for (int one = 0; one < bar_->count(); ++one)
@@ -148,7 +149,8 @@ void DrawingTabs::show(const std::vector<DrawingTab>& tabs, int current)
             before = tab;
         }
     }
-    bar_->setCurrentIndex(current);
+    if (!(QGuiApplication::mouseButtons() & Qt::LeftButton && bar_->underMouse()))
+        bar_->setCurrentIndex(current); // while a tab is dragged it is the current one
     setVisible(tabs.size() > 1);
 }
 

@@ -29,7 +29,7 @@ public:
     void show(const std::vector<DrawingTab>& tabs, int current);
 
 signals:
-    void chosen(int tab);
+    void chosen(int tab); ///< may be the current one
     void closeWanted(int tab);
     void moved(int from, int to);
     void newWanted();

@@ -12,6 +12,7 @@ public:
     virtual ~Drawings() = default;
 
     virtual int count() const = 0;
+    virtual void showWindow(MainWindow& window) = 0;
     virtual void showNext(int by) = 0; ///< in a circle
     /// Closes the drawing of a window, after a question about unsaved changes.
     virtual void close(MainWindow& window) = 0;

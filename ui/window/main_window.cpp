@@ -17,6 +17,7 @@
 #include "ui/widgets/sheet.h"
 #include "ui/window/centre.h"
 #include "ui/window/drawing_tabs.h"
+#include "ui/window/drawings.h"
 #include "ui/window/modes.h"
 #include "ui/window/panel_layout.h"
 #include "ui/window/workspace_panes.h"
@@ -149,10 +150,26 @@ void MainWindow::setTheme(Theme theme)
 void MainWindow::takeOver(const MainWindow& before)
 {
     canvas_->setTool(before.canvas().tool());
+    canvas_->setSnapping(before.canvas().snapping());
+    canvas_->switchSnapping(before.canvas().snaps());
+    canvas_->setCapsuleHome(before.canvas().capsuleHome());
+    session_.changeDisplay([&before](app::Display& display) {
+        display.grid = before.session().display().grid;
+        display.darkPaper = before.session().display().darkPaper;
+    });
+    session_.history.setLimit(before.session().history.limit());
     if (&before.workspace() != &workspace())
         choose(before.workspace());
     theme_ = before.theme_;
     refreshActions();
+}
+
+void MainWindow::comeToFront()
+{
+    if (drawings_)
+        drawings_->showWindow(*this);
+    window()->raise();
+    window()->activateWindow();
 }
 
 void MainWindow::saveLayout() { panelLayout_->save(); }

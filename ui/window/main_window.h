@@ -64,9 +64,11 @@ public:
     Drawings* drawings() const { return drawings_; }
     void setDrawings(Drawings* drawings) { drawings_ = drawings; }
     DrawingTabs& drawingTabs() { return *drawingTabs_; } ///< which they fill
-    /// Takes over what is the program's, not the drawing's: tool, workspace, theme.
+    /// Takes over what is the program's, not the drawing's: tool, workspace, theme,
+    /// snapping, grid, and where the capsule is.
     void takeOver(const MainWindow& before);
-    void saveLayout(); ///< of the panels, to the settings
+    void saveLayout();  ///< of the panels, to the settings
+    void comeToFront(); ///< this drawing, and the program's window
 
     /// The microscope's page; null until the microscope is first opened.
     MicroscopePage* microscopePage() const;

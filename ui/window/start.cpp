@@ -13,12 +13,16 @@ void connectStart(StartPanel& start, PanelLayout& layout, MainWindow& window)
 {
     Files& files = window.files();
     QObject::connect(&start, &StartPanel::drawWanted, &window, [&window] {
-        window.files().startNew();
+        // First, since the new drawing may be in a window of its own, which takes them over.
         window.choose(findWorkspace("workspace-draw"));
         window.canvas().setTool("line");
+        window.files().startNew();
     });
     // The button that was clicked goes: keys are for the drawing at once.
-    const auto draw = [&window] { window.canvas().setFocus(); };
+    const auto draw = [&window] {
+        if (window.isVisible()) // not another drawing
+            window.canvas().setFocus();
+    };
     for (const auto wanted : {&StartPanel::drawWanted, &StartPanel::openWanted})
         QObject::connect(&start, wanted, &window, draw, Qt::QueuedConnection);
     QObject::connect(&start, &StartPanel::fileWanted, &window, draw, Qt::QueuedConnection);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/move_objects.h"
 #include "app/recovery/replay.h"
+#include "app/session/export_source.h"
 #include "ui/editor/desk.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/window/drawing_tabs.h"
@@ -143,6 +144,86 @@ private slots:
         QCOMPARE(t.desk->current().session().path(), one);
         t.open(QFileInfo(two).path() + "/./two.svg");
         QCOMPARE(t.desk->count(), 2);
+    }
+
+    void aLinkIsTheSameFile()
+    {
+        TestDesk t;
+        const QString one = t.file("one.svg"), link = t.folder.filePath("link.svg");
+        QVERIFY(QFile::link(one, link));
+        t.open(one);
+        t.open(link);
+        QCOMPARE(t.desk->count(), 1);
+        // Also while it is being read.
+        const QString two = t.file("two.svg");
+        t.desk->open({two, two});
+        for (int i = 0; i < t.desk->count(); ++i)
+            t.desk->at(i).files().wait();
+        QCOMPARE(t.desk->count(), 2);
+    }
+
+    void anOpenDrawingIsNotReplaced()
+    {
+        TestDesk t;
+        const QString one = t.file("one.svg"), two = t.file("two.svg");
+        t.open(one);
+        t.open(two);
+        MainWindow& second = t.desk->current();
+        const QByteArray before = contentOf(one);
+        t.answersOf(second).save = one;
+        t.run("save-as");
+        QVERIFY(second.message().contains("one.svg"));
+        QCOMPARE(second.session().path(), two);
+        const app::ExportJob job{app::exportSourceOf(second.session()),
+                                 {.area = {.part = app::ExportPart::Page}}};
+        for (const QString& path : {one, two}) { // of the other drawing, and its own
+            std::optional<bool> written;
+            second.files().exportTo(job, path, [&](bool done) { written = done; });
+            second.files().wait();
+            QCOMPARE(written, std::optional(false));
+            QVERIFY(second.message().contains(QFileInfo(path).fileName()));
+        }
+        QCOMPARE(contentOf(one), before);
+    }
+
+    void sameNamesAreToldApart()
+    {
+        TestDesk t;
+        t.open(t.file("a/x/plan.svg"));
+        t.open(t.file("b/x/plan.svg"));
+        QCOMPARE(t.names(), QStringList({"plan.svg – x", "plan.svg – x (2)"}));
+    }
+
+    void inputThatWasHeldFindsItsTabGone()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        t.open(t.file("two.svg"));
+        MainWindow& second = t.desk->current();
+        QAction* close = t.action("close");
+        close->trigger();
+        QCOMPARE(t.desk->count(), 1);
+        close->trigger(); // before it is deleted
+        t.desk->showWindow(second);
+        second.files().startNew();
+        QCOMPARE(t.desk->count(), 2); // the new drawing is beside the first
+    }
+
+    void whatIsInHandIsSavedBeforeQuitting()
+    {
+        TestDesk t;
+        t.run("new");
+        MainWindow& first = t.desk->current();
+        first.canvas().setTool("polyline");
+        QWidget* area = first.canvas().focusProxy();
+        for (const QPoint corner : {QPoint(200, 100), QPoint(300, 150)})
+            QTest::mouseClick(area, Qt::LeftButton, {}, corner);
+        t.open(t.file("two.svg"));
+        QVERIFY(!first.session().history.isClean()); // the gesture has ended
+        t.desk->close();
+        QCoreApplication::processEvents();
+        QCOMPARE(t.answersOf(first).asked, 1);
+        QCOMPARE(&t.desk->current(), &first);
     }
 
     void sameNamesHaveTheirFolder()

@@ -20,14 +20,14 @@ using namespace ui;
 namespace {
 
 /// Hands over from a thread of its own, as another process does.
-bool handOverFromOutside(const QString& socket, const QStringList& files)
+HandedOver handOverFromOutside(const QString& socket, const QStringList& files)
 {
-    bool taken = false;
-    const std::unique_ptr<QThread> other(QThread::create([&] { taken = handOver(socket, files); }));
+    HandedOver end = HandedOver::Refused;
+    const std::unique_ptr<QThread> other(QThread::create([&] { end = handOver(socket, files); }));
     other->start();
     while (!other->isFinished())
         QTest::qWait(5);
-    return taken;
+    return end;
 }
 
 } // namespace
@@ -40,14 +40,14 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString socket = folder.filePath("socket");
-        QVERIFY(!handOver(socket, {"/a.svg"})); // nobody is there
+        QVERIFY(handOver(socket, {"/a.svg"}) == HandedOver::NobodyIsThere);
         Listener listener(socket);
         QSignalSpy wanted(&listener, &Listener::wanted);
         const QStringList files{"/a b.svg", QString::fromUtf8("/ü/€.svg")};
-        QVERIFY(handOverFromOutside(socket, files));
+        QVERIFY(handOverFromOutside(socket, files) == HandedOver::Taken);
         QCOMPARE(wanted.size(), 1);
         QCOMPARE(wanted[0][0].toStringList(), files);
-        QVERIFY(handOverFromOutside(socket, {}));
+        QVERIFY(handOverFromOutside(socket, {}) == HandedOver::Taken);
         QCOMPARE(wanted.size(), 2);
         QVERIFY(!(QFile::permissions(socket) & (QFile::ReadOther | QFile::WriteOther)));
     }
@@ -59,24 +59,20 @@ private slots:
         QFile file(socket);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.close();
-        QVERIFY(!handOver(socket, {}));
+        QVERIFY(handOver(socket, {}) == HandedOver::NobodyIsThere);
         const Listener listener(socket);
-        QVERIFY(handOverFromOutside(socket, {}));
+        QVERIFY(handOverFromOutside(socket, {}) == HandedOver::Taken);
     }
 
-    void onlyOneListens()
+    void whoIsBeingQuitTakesNothing()
     {
         const QTemporaryDir folder;
         const QString socket = folder.filePath("socket");
-        Listener first(socket);
-        QSignalSpy wanted(&first, &Listener::wanted);
-        std::unique_ptr<QThread> other(QThread::create([&] { const Listener second(socket); }));
-        other->start();
-        while (!other->isFinished())
-            QTest::qWait(5);
-        wanted.clear();
-        QVERIFY(handOverFromOutside(socket, {"/x.svg"}));
-        QCOMPARE(wanted.size(), 1);
+        Listener listener(socket);
+        QSignalSpy wanted(&listener, &Listener::wanted);
+        listener.setAccepting([] { return false; });
+        QVERIFY(handOverFromOutside(socket, {"/x.svg"}) == HandedOver::Refused);
+        QCOMPARE(wanted.size(), 0);
     }
 
     void nonsenseIsRefused_data()
@@ -104,7 +100,7 @@ private slots:
         QVERIFY(::send(there, bytes.data(), std::size_t(bytes.size()), MSG_NOSIGNAL) >= 0);
         QTest::qWait(50);
         ::close(there);
-        QVERIFY(handOverFromOutside(socket, {"/good.svg"}));
+        QVERIFY(handOverFromOutside(socket, {"/good.svg"}) == HandedOver::Taken);
         QCOMPARE(wanted.size(), 1);
     }
 
