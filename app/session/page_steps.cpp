@@ -154,7 +154,35 @@ clipping::Window insideOf(const Page& page)
     return inside;
 }
 
-/// All lines of an object beyond the first one outside are passed over.
+/// Adds objects in ascending order, neighbours at once: there may be a million.
+class AscendingObjects {
+public:
+    void add(std::size_t object)
+    {
+        if (object == last_.end) {
+            ++last_.end;
+        } else if (object > last_.end || last_.first == last_.end) {
+            finish();
+            last_ = {object, object + 1};
+        }
+    }
+    ObjectRanges taken()
+    {
+        finish();
+        return std::move(all_);
+    }
+
+private:
+    void finish()
+    {
+        if (last_.first < last_.end)
+            all_.insert(last_);
+    }
+
+    ObjectRanges all_;
+    ObjectRange last_{0, 0};
+};
+
 static ObjectRanges objectsOutside(const SceneLines& lines, const clipping::Window& inside)
 {
     const double slack = 1e-9 * std::max(inside.max.x - inside.min.x, inside.max.y - inside.min.y);
@@ -162,19 +190,15 @@ static ObjectRanges objectsOutside(const SceneLines& lines, const clipping::Wind
         return !(p.x >= inside.min.x - slack && p.y >= inside.min.y - slack
                  && p.x <= inside.max.x + slack && p.y <= inside.max.y + slack);
     };
-    ObjectRanges outside;
-    for (const SceneLines::Run& run : lines.runs()) {
-        std::size_t past = 0;
-        for (std::size_t i = 0; i < run.segments.size(); ++i) {
-            const auto& [a, b] = run.segments[i];
-            if (i < past || !(isOutside(a) || isOutside(b)))
-                continue;
-            const std::size_t object = lines.objectOf(run.firstLine + i);
-            past = lines.firstLineOf(object + 1) - run.firstLine;
-            outside.insert(object);
-        }
+    AscendingObjects outside;
+    for (std::size_t run = 0; run < lines.runs().size(); ++run) {
+        const SceneLines::Run& part = lines.runs()[run];
+        const bool lineEach = lines.blocks()[run]->firstOfObject.empty();
+        for (std::size_t i = 0; i < part.segments.size(); ++i)
+            if (const auto& [a, b] = part.segments[i]; isOutside(a) || isOutside(b))
+                outside.add(lineEach ? part.firstObject + i : lines.objectOf(part.firstLine + i));
     }
-    return outside;
+    return outside.taken();
 }
 
 static QString checkText(std::size_t all, std::size_t outside, bool margins)

@@ -148,10 +148,13 @@ void Session::load(Imported imported, const QString& path, std::optional<SceneBl
     history.clear();
     if (blocks)
         scene.expect(std::move(*blocks));
+    const PageMeasure before = pageMeasure_;
     document.load(std::move(imported.document));
     losses_ = std::move(imported.report);
     path_ = path;
     changeDisplay([this](Display& display) { display.unit = now().page().usualUnit(); });
+    if (pageMeasure_ != before)
+        emit displayChanged(); // the same lengths are other numbers
     emit fileChanged();
     microscope.close(); // its line was of the drawing before
     emit loaded();

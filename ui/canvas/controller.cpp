@@ -45,9 +45,25 @@ Controller::Controller(app::Session& session, QObject* parent)
     fitPage(session, navigation_);
 }
 
+/// At another scale of the drawing, the paper stays as it is seen; what is drawn on it grows or
+/// shrinks.
+void Controller::followScale(const app::DocumentChange& change)
+{
+    const app::Page& page = session().now().page();
+    const double unit = page.millimetresPerUnit(), before = std::exchange(paperUnit_, unit);
+    if (change.everything || unit == before)
+        return;
+    app::View view = navigation_.view();
+    view.zoom *= unit / before;
+    view.centre = page.min + (view.centre - page.min) * (before / unit);
+    navigation_.go(view);
+}
+
 void Controller::connectSession()
 {
     app::Session& session = this->session();
+    paperUnit_ = session.now().page().millimetresPerUnit();
+    connect(&session.document, &app::EditedDocument::changed, this, &Controller::followScale);
     connect(&session.scene, &app::Scene::outdated, this, [this] {
         aim_.forget();
         frames_.followPage();

@@ -87,6 +87,7 @@ private:
     void outdate();
     void renew();
     void followDisplay();
+    void followScale(const app::DocumentChange& change);
     void tellHint();
     app::DigitPlace digitPlace() const;
 
@@ -103,6 +104,7 @@ private:
     QRectF capsulePlace_;
     bool leavesKeys_ = false;
     OwnKeys keys_;
+    double paperUnit_ = 0; ///< millimetres of a user unit on the last page
     std::pair<QString, app::DigitUse> told_{}; ///< the hint and what a digit does
     app::ObjectRanges inspectedSelection_;     ///< the last one that inspectOnly() has seen
 };

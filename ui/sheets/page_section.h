@@ -5,6 +5,7 @@
 
 #include <QMap>
 #include <QVBoxLayout>
+#include <QWidget>
 
 class QLabel;
 

@@ -104,7 +104,7 @@ void PageSheet::follow(const app::DocumentChange& change)
     if (change.drawing())
         soon_.start(0);
     const app::Page& page = session_.now().page();
-    if (!change.page || page == shown_)
+    if (isHidden() || !change.page || page == shown_) // hidden: it is closed already
         return;
     const bool moved = page.min != shown_.min || page.size != shown_.size;
     shown_ = page;

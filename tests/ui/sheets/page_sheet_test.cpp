@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/paper.h"
+#include "ui/bars/option_bar.h"
+#include "ui/docks/window_panel.h"
+#include "ui/sheets/page_frame.h"
 #include "ui/sheets/sheets.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/segments.h"
@@ -7,6 +10,7 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QMouseEvent>
 
 #include "tests/test_class.h"
 #include "tests/ui/test_window.h"
@@ -86,6 +90,68 @@ private slots:
         QCOMPARE(desk.part("page-width")->text(), "100.00"); // on paper
         const clipping::Window seen = desk.window->canvas().view().visible();
         QVERIFY(seen.max.x >= 5000 && seen.max.y >= 5000); // the whole page is seen
+    }
+    void fieldsShowRealLengths()
+    {
+        const Desk desk;
+        const auto shown = [&](const QString& name) {
+            QWidget* const places[]{&desk.window->windowPanel(), &desk.window->optionBar()};
+            for (const QWidget* place : places)
+                for (const auto* field : place->findChildren<LengthField*>())
+                    if (field->accessibleName() == name)
+                        return field->text();
+            return QString();
+        };
+        desk.run("grid");
+        QCOMPARE(shown("Width"), "100.00");
+        desk.type("page-scale", "50");
+        QCOMPARE(shown("Width"), "100.00"); // as it was drawn
+        QCOMPARE(shown("Grid spacing"), "500.00 mm");
+        desk.pick("page-unit", 0);
+        QCOMPARE(shown("Width"), "0.100");
+        QCOMPARE(shown("Grid spacing"), "0.500 m");
+    }
+    void thePaperStaysAsItIsSeenWhenAScaleIsUndone()
+    {
+        const Desk desk;
+        desk.type("page-scale", "50", Qt::Key_Return);
+        Canvas& canvas = desk.window->canvas();
+        canvas.setZoom(0.5);
+        const double corner = canvas.view().toScreen(desk.page().min).x;
+        for (const char* command : {"undo", "redo"}) {
+            desk.run(command);
+            QVERIFY(std::abs(canvas.zoom() - 0.5) < 1e-9);
+            QVERIFY(std::abs(canvas.view().toScreen(desk.page().min).x - corner) < 1e-6);
+        }
+    }
+    void theEdgesOfThePageAreDragged()
+    {
+        const Desk desk;
+        auto* frame = desk.window->findChild<PageFrame*>("page-frame");
+        QVERIFY(frame && frame->isVisible());
+        QCOMPARE(frame->sizeText(0), QStringLiteral("100\u00a0mm"));
+        const app::View view = desk.window->canvas().view();
+        const auto drag = [&](int across, int down, const app::Point& by) {
+            const QPointF from = frame->square(across, down);
+            const QPointF to = from + QPointF(by.x, by.y) * view.zoom;
+            QTest::mousePress(frame, Qt::LeftButton, {}, from.toPoint());
+            QMouseEvent move(QEvent::MouseMove, to, frame->mapToGlobal(to), Qt::NoButton,
+                             Qt::LeftButton, {});
+            QApplication::sendEvent(frame, &move);
+            QTest::mouseRelease(frame, Qt::LeftButton, {}, to.toPoint());
+        };
+        drag(1, 0, {20, 7});
+        QCOMPARE(desk.paper(), app::Point(120, 100));
+        drag(-1, -1, {-10, 30});
+        QCOMPARE(desk.paper(), app::Point(130, 70));
+        QCOMPARE(desk.page().min, app::Point(-10, 30));
+        QCOMPARE(desk.window->canvas().view().zoom, view.zoom);
+        QCOMPARE(desk.window->session().history.count(), 1);
+        drag(0, 1, {0, -500}); // not beyond the other edge
+        QCOMPARE(desk.paper(), app::Point(130, 1));
+        desk.sheet()->leave();
+        QCOMPARE(desk.paper(), app::Point(100, 100));
+        QVERIFY(!frame->isVisible());
     }
     void escapeLeavesThePageAsItWas_data()
     {
