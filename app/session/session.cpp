@@ -160,10 +160,7 @@ void Session::load(Imported imported, const QString& path, std::optional<SceneBl
     emit loaded();
 }
 
-bool Session::mustSaveAs() const
-{
-    return path_.isEmpty() || app::mustSaveAs(losses_);
-}
+bool Session::mustSaveAs() const { return path_.isEmpty() || app::mustSaveAs(losses_); }
 
 Document Session::beginSaving()
 {

@@ -44,7 +44,7 @@ std::size_t curvedPointsOf(const Objects& objects)
 CutOptions optionsAt(const ClipArea& area, const Objects& objects, const Page& page)
 {
     CutOptions options{.clipAll = clipping::exactAlgorithm().corrected.clipAll,
-                       .wideStroke = 1 / page.millimetresPerUnit()};
+                       .wideStroke = leastWideStroke / page.millimetresPerUnit()};
     double near = CurvedBorder::millimetres / page.millimetresPerUnit();
     const bool isFine = pointsOf(area.windows) <= mostTrueClipPoints
                         && curvedPointsOf(objects) <= mostTrueClippedPoints

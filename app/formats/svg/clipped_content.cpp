@@ -2,8 +2,11 @@
 #include "app/formats/svg/clipped_content.h"
 
 #include "app/base/text.h"
+#include "app/cut/stroke_area.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
+
+#include <algorithm>
 
 namespace app::svg {
 
@@ -75,7 +78,30 @@ std::vector<CutObject> ClippedContent::cut(const Scope& scope)
     ClippedObjects left = clipped(scope.objects, *scope.area, page_);
     addWork(left.work);
     report_.add(losses::crossedClipPath, left.tooMany);
+    tellHiddenStrokes(scope, left.objects);
     return std::move(left.objects);
+}
+
+// Of a wide stroke whose centre line is hidden, a side may be visible.
+void ClippedContent::tellHiddenStrokes(const Scope& scope, std::span<const CutObject> left)
+{
+    Objects strokes;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const ObjectView object = scope.objects[i];
+        const Style& style = object.style();
+        if (left[i].whole || !left[i].left.empty() || !style.stroke
+            || style.width <= leastWideStroke / page_.millimetresPerUnit()
+            || object.path().pointCount() > mostHiddenStroke)
+            continue;
+        const Path area(strokeArea(object.path(), style, usualTolerance(page_)));
+        strokes.append(Object{area, {.fill = Colour{}}});
+    }
+    if (strokes.empty() || scope.area->windows.list.empty())
+        return;
+    const ClippedObjects visible = clipped(strokes, *scope.area, page_);
+    addWork(visible.work);
+    const auto isSeen = [](const CutObject& one) { return one.whole || !one.left.empty(); };
+    report_.add(losses::hiddenStroke, int(std::ranges::count_if(visible.objects, isSeen)));
 }
 
 void ClippedContent::putWhatIsLeft(const ObjectView& object, CutObject left)

@@ -46,6 +46,7 @@ private:
     void put(Object object);
     void leave();
     std::vector<CutObject> cut(const Scope& scope);
+    void tellHiddenStrokes(const Scope& scope, std::span<const CutObject> left);
     void putWhatIsLeft(const ObjectView& object, CutObject left);
 
     const Page& page_;

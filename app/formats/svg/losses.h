@@ -57,29 +57,40 @@ inline constexpr LossKind manyClipShapes{
 inline constexpr LossKind crossedClipPath{
     QT_TRANSLATE_NOOP("Text", "clip path with more than 5 million crossings of lines"),
     QT_TRANSLATE_NOOP("Text", "clip paths with more than 5 million crossings of lines")};
-inline constexpr LossKind selfClip{
-    QT_TRANSLATE_NOOP("Text", "clip path that clips itself"),
-    QT_TRANSLATE_NOOP("Text", "clip paths that clip themselves")};
+inline constexpr LossKind selfClip{QT_TRANSLATE_NOOP("Text", "clip path that clips itself"),
+                                   QT_TRANSLATE_NOOP("Text", "clip paths that clip themselves")};
 inline constexpr LossKind missingClipPath{
     QT_TRANSLATE_NOOP("Text", "reference to a clip path that is not in the file was ignored"),
     QT_TRANSLATE_NOOP("Text", "references to clip paths that are not in the file were ignored"),
     true};
 inline constexpr LossKind notInClipPath{
     QT_TRANSLATE_NOOP("Text", "element that SVG does not use in a clip path was left out"),
-    QT_TRANSLATE_NOOP("Text", "elements that SVG does not use in a clip path were left out"),
-    true};
+    QT_TRANSLATE_NOOP("Text", "elements that SVG does not use in a clip path were left out"), true};
 inline constexpr LossKind cutShape{
     QT_TRANSLATE_NOOP("Text", "shape was cut where a clip path ends"),
-    QT_TRANSLATE_NOOP("Text", "shapes were cut where clip paths end"), true, nullptr, nullptr, false, true};
+    QT_TRANSLATE_NOOP("Text", "shapes were cut where clip paths end"),
+    true,
+    nullptr,
+    nullptr,
+    false,
+    true};
 inline constexpr LossKind hiddenShape{
     QT_TRANSLATE_NOOP("Text", "shape that a clip path hides was removed"),
-    QT_TRANSLATE_NOOP("Text", "shapes that clip paths hide were removed"), true, nullptr, nullptr, false, true};
+    QT_TRANSLATE_NOOP("Text", "shapes that clip paths hide were removed"),
+    true,
+    nullptr,
+    nullptr,
+    false,
+    true};
 inline constexpr LossKind wideStroke{
     QT_TRANSLATE_NOOP("Text", "wide stroke was cut at its centre line, and does not end where its "
                               "clip path does"),
     QT_TRANSLATE_NOOP("Text", "wide strokes were cut at their centre lines, and do not end where "
                               "their clip paths do"),
     true};
+inline constexpr LossKind hiddenStroke{
+    QT_TRANSLATE_NOOP("Text", "wide stroke of which a clip path shows only a side"),
+    QT_TRANSLATE_NOOP("Text", "wide strokes of which clip paths show only a side")};
 inline constexpr LossKind unevenStroke{QT_TRANSLATE_NOOP("Text", "unevenly stretched stroke"),
                                        QT_TRANSLATE_NOOP("Text", "unevenly stretched strokes"),
                                        false, QT_TRANSLATE_NOOP("Text", "it is made even"),
@@ -223,10 +234,19 @@ inline constexpr LossKind doubleId{QT_TRANSLATE_NOOP("Text", "repeated id was re
                                    QT_TRANSLATE_NOOP("Text", "repeated ids were removed"), true};
 inline constexpr LossKind cutClipPath{
     QT_TRANSLATE_NOOP("Text", "clip path was replaced by a real cut"),
-    QT_TRANSLATE_NOOP("Text", "clip paths were replaced by real cuts"), true, nullptr, nullptr, false, true};
+    QT_TRANSLATE_NOOP("Text", "clip paths were replaced by real cuts"),
+    true,
+    nullptr,
+    nullptr,
+    false,
+    true};
 inline constexpr LossKind cutMask{QT_TRANSLATE_NOOP("Text", "mask was replaced by a real cut"),
                                   QT_TRANSLATE_NOOP("Text", "masks were replaced by real cuts"),
-                                  true, nullptr, nullptr, false, true};
+                                  true,
+                                  nullptr,
+                                  nullptr,
+                                  false,
+                                  true};
 inline constexpr LossKind groupOpacity{
     QT_TRANSLATE_NOOP("Text", "group opacity was moved to each shape"),
     QT_TRANSLATE_NOOP("Text", "group opacities were moved to each shape"), true};

@@ -275,6 +275,17 @@ private slots:
         QCOMPARE(reported("15", slanted), cutOnce + wide);
     }
 
+    void theSideOfAWideStrokeIsTold()
+    {
+        const auto reported = [](const QByteArray& y) {
+            return reportOf(
+                clipPath("<rect width='100' height='50'/>")
+                + clipped("<path d='M0 " + y + "H100' stroke='red' stroke-width='20'/>"));
+        };
+        QVERIFY(reported("55").contains("1 wide stroke of which a clip path shows only a side"));
+        QVERIFY(!reported("65").contains("wide"));
+    }
+
     void clipPathsAreKnownByTheirIds()
     {
         const auto read = readText(drawing(clipPath("<circle cx='30' cy='50' r='15'/><circle "

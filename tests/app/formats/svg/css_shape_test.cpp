@@ -80,9 +80,9 @@ private slots:
         QTest::addColumn<QByteArray>("shape");
         for (const char* shape :
              {"circle(20)", "circle(-1px)", "circle(1px 2px)", "ellipse(1px)", "inset()",
-              "inset(1px round)", "inset(0 round 0 0 0 0 0)", "rect(1px)",
-              "xywh(0 0 -1px 1px)", "polygon(1px)", "polygon()", "path(M0 0)", "path('M0 0L')",
-              "star(5px)", "circle(1px) middle-box", "fill-box circle(1px) fill-box"})
+              "inset(1px round)", "inset(0 round 0 0 0 0 0)", "rect(1px)", "xywh(0 0 -1px 1px)",
+              "polygon(1px)", "polygon()", "path(M0 0)", "path('M0 0L')", "star(5px)",
+              "circle(1px) middle-box", "fill-box circle(1px) fill-box"})
             QTest::addRow("%s", shape) << QByteArray(shape);
     }
     void whatIsNotUnderstoodIsTold()

@@ -34,10 +34,11 @@ private:
     void once(QByteArray& text)
     {
         static const QByteArrayList tokens{
-            "1e400", "-1e308", "NaN",      "0",         "-",     "1e-320", "%",     "em",      "<",
-            ">",     "/>",     "'",        "\"",        "&amp;", "&x;",    "url(#", "inherit", "Z",
-            "A",     "c",      "matrix(",  "999999999", "\xff",  "{",      "}",     "var(--",  "/*",
-            "p:q",   "&nbsp;", "fill-box", "unset",     "mask", "objectBoundingBox",  "clip-path:circle(9px)",     ";",     ":",      "--w:"};
+            "1e400",   "-1e308", "NaN",  "0",       "-",       "1e-320",    "%",     "em",
+            "<",       ">",      "/>",   "'",       "\"",      "&amp;",     "&x;",   "url(#",
+            "inherit", "Z",      "A",    "c",       "matrix(", "999999999", "\xff",  "{",
+            "}",       "var(--", "/*",   "p:q",     "&nbsp;",  "fill-box",  "unset", ";",
+            ":",       "--w:",   "mask", "circle(", "url(#c)"};
         const auto at = below(text.size());
         switch (below(6)) {
         case 0:
