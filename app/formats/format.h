@@ -47,7 +47,7 @@ struct Imported {
     /// For a file without a page: the rectangle around the page and everything drawn, which is
     /// clipped unless another area is given.
     std::optional<clipping::Window> drawn{};
-    /// The clip paths that cut something, as they did where they are used first.
+    /// The clip paths as they cut where they are used first; and some that are not used.
     std::vector<NamedArea> clipPaths{};
     bool lossy() const; ///< has a loss that is not a remark
 };

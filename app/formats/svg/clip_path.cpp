@@ -190,6 +190,21 @@ bool TreeDrawer::addWindows(ClipWindows windows, Place& place)
     return fits;
 }
 
+// Keeps the areas of clip paths that nothing uses, as they are in the root.
+void TreeDrawer::nameOtherClipPaths(const Place& root)
+{
+    const Report::Silence silence(report_);
+    std::size_t count = 0;
+    for (Node node = 0; node < tree_.size() && count < mostUnusedClipPaths; ++node)
+        if (tree_.name(node) == "clipPath" && !named_.contains(node)
+            && !tree_.attribute(node, "id").empty()
+            && tree_.attribute(node, "clipPathUnits") != "objectBoundingBox") {
+            Place place = root;
+            addClipArea(node, {0, root}, place);
+            ++count;
+        }
+}
+
 // What the children of the elements around a clip path inherit.
 const Properties& TreeDrawer::inheritedBy(Node node)
 {

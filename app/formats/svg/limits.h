@@ -33,8 +33,9 @@ constexpr std::size_t mostGroups =
     Containers::mostContainers - Containers::mostLayers; ///< further groups are dissolved
 /// Lines of clip paths and of what they cut, together; in a larger file, one for each byte.
 constexpr std::size_t mostClipWork = 3'000'000;
-constexpr std::size_t workOfClipElement = 64;   ///< of one in a clip path or mask
-constexpr std::size_t mostMaskStroke = 10'000;  ///< points of one whose area is a mask
+constexpr std::size_t workOfClipElement = 64;    ///< of one in a clip path or mask
+constexpr std::size_t mostUnusedClipPaths = 100; ///< whose areas are kept under their ids
+constexpr std::size_t mostMaskStroke = 10'000;   ///< points of one whose area is a mask
 constexpr std::size_t mostHiddenStroke = 1'000; ///< points of one that is looked at beside its line
 constexpr double leastWideStroke = 1;           ///< millimetres; how a wider one ends is told
 constexpr std::size_t mostClipMeetings = 5'000'000; ///< places where lines meet

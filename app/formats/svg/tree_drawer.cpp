@@ -113,7 +113,9 @@ Document TreeDrawer::drawAll(const Matrix& rootMatrix, const Point& viewport)
     Place place;
     place.matrix = rootMatrix;
     place.lengths.viewport = viewport;
-    drawChildren(0, inside(0, place));
+    place = inside(0, place);
+    drawChildren(0, place);
+    nameOtherClipPaths(place);
     report_.turnTo(0);
     report_.add(losses::metadata, tree_.saysTooMuch() ? 1 : 0);
     report_.add(losses::elementNote, tree_.notesOfElements() - notesKept_);

@@ -105,6 +105,7 @@ private:
     std::optional<Box> cssBox(std::string_view name, const Boxed& boxed);
     bool addWindows(ClipWindows windows, Place& place);
     void nameClipPath(Node clip, const ClipArea& area, const ClipAreas& around);
+    void nameOtherClipPaths(const Place& root);
     const Properties& inheritedBy(Node node);
     /// The shapes of a mask, from bottom to top.
     struct MaskShapes {

@@ -130,6 +130,32 @@ private slots:
         QCOMPARE(lengthOf(defs + clipped(hatch())), left);
     }
 
+    // The left half of the box of what is drawn.
+    void boxesOfAnyElement_data()
+    {
+        QTest::addColumn<QByteArray>("element");
+        const QByteArray lines = "<path stroke='#000' fill='none' d='M10 10L50 20M10 20L50 10'/>";
+        const auto row = [](const char* name, const QByteArray& element) {
+            QTest::newRow(name) << element;
+        };
+        row("path", lines);
+        row("group", "<g transform='translate(5)'>" + lines + "</g>");
+        row("svg", "<svg width='100' height='100' viewBox='0 0 100 100'>" + lines + "</svg>");
+        row("switch", "<switch>" + lines + "<path d='M0 0H99'/></switch>");
+        row("use", "<defs><g id='q'>" + lines + "</g></defs><use href='#q' x='7'/>");
+        row("symbol", "<symbol id='q' viewBox='0 0 50 50'>" + lines
+                          + "</symbol><use href='#q' width='50' height='50' x='9'/>");
+    }
+    void boxesOfAnyElement()
+    {
+        QFETCH(QByteArray, element);
+        const QByteArray half =
+            clipPath("<rect width='.5' height='1'/>", "clipPathUnits='objectBoundingBox'");
+        QCOMPARE(lengthOf(half + clipped(element)), 41.23);
+        QCOMPARE(lengthOf(half + "<g transform='rotate(30) scale(2)'>" + clipped(element) + "</g>"),
+                 82.46);
+    }
+
     void clipsAroundEachOtherIntersect()
     {
         const QByteArray clips = "<clipPath id='a'><rect width='50' height='100'/></clipPath>"
@@ -294,6 +320,9 @@ private slots:
         QCOMPARE(read.value->clipPaths.size(), std::size_t(1));
         QCOMPARE(read.value->clipPaths[0].id, "c");
         QCOMPARE(read.value->clipPaths[0].windows.size(), std::size_t(1));
+        const auto unused = readText(drawing(clipPath(whole) + hatch()));
+        QCOMPARE(unused.value->clipPaths.size(), std::size_t(1));
+        QVERIFY(unused.value->report.empty());
     }
 };
 
