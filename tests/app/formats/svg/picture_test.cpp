@@ -5,6 +5,8 @@
 #include <QProcess>
 #include <QTest>
 
+#include <random>
+
 #include "tests/app/formats/svg/text.h"
 #include "tests/not_empty.h"
 #include "tests/test_class.h"
@@ -52,6 +54,51 @@ Difference difference(const QImage& a, const QImage& b)
     return {sum / pixels, strong / pixels};
 }
 
+// A drawing in clip paths in one another, each of one shape: librsvg 2.54 takes several shapes of a
+// clip path for one path with one rule.
+class RandomClips {
+public:
+    explicit RandomClips(unsigned seed) : random_(seed) {}
+
+    QByteArray drawing()
+    {
+        QByteArray clips, groups, ends, content;
+        for (int i = 0; i <= below(3); ++i) {
+            const QByteArray id = "c" + QByteArray::number(i);
+            clips += "<clipPath id='" + id + "'>" + shape(turn()) + "</clipPath>";
+            groups += "<g clip-path='url(#" + id + ")'" + turn() + ">";
+            ends += "</g>";
+        }
+        for (const char* fill : {"gold", "teal", "plum"})
+            content += shape(turn() + " fill='" + fill + "'");
+        for (const char* dashes : {"none", "4 2"})
+            content +=
+                shape(turn() + " fill='none' stroke='#000' stroke-dasharray='" + dashes + "'");
+        return ::drawing(clips + groups + content + ends);
+    }
+
+private:
+    int below(int n) { return int(random_() % unsigned(n)); }
+    QByteArray place() { return QByteArray::number(below(1000) / 10.0) + ' '; }
+    QByteArray places(int count) { return count == 0 ? QByteArray() : place() + places(count - 1); }
+    QByteArray turn() { return " transform='rotate(" + place() + "50 50)'"; }
+
+    QByteArray shape(const QByteArray& attributes)
+    {
+        const QByteArray rule = below(2) == 0 ? "evenodd" : "nonzero";
+        const QByteArray more = attributes + " clip-rule='" + rule + "' fill-rule='" + rule + "'/>";
+        if (below(3) == 0)
+            return "<ellipse cx='" + place() + "' cy='" + place() + "' rx='" + place() + "' ry='"
+                   + place() + "'" + more;
+        QByteArray path = "<path d='M" + places(2);
+        for (int i = 0; i < 3 + below(4); ++i)
+            path += below(2) == 0 ? "L" + places(2) : "C" + places(6);
+        return path + "z'" + more;
+    }
+
+    std::mt19937 random_;
+};
+
 } // namespace
 
 class PictureTest : public QObject {
@@ -84,6 +131,22 @@ private slots:
         const Difference found = difference(expected, picture(textOf(read.value->document)));
         const auto said = QStringLiteral("mean %1, strong %2").arg(found.mean).arg(found.strong);
         QVERIFY2(found.mean < smallMean && found.strong < fewStrong, qPrintable(said));
+    }
+
+    void randomClipPathsLookLikeTheOriginal()
+    {
+        for (unsigned seed = 0; seed < 40; ++seed) {
+            const QByteArray original = RandomClips(seed).drawing();
+            const auto read = readText(original);
+            QVERIFY2(read, qPrintable(read.error));
+            const Difference found =
+                difference(picture(original), picture(textOf(read.value->document)));
+            const auto said = QStringLiteral("seed %1: mean %2, strong %3")
+                                  .arg(seed)
+                                  .arg(found.mean)
+                                  .arg(found.strong);
+            QVERIFY2(found.mean < smallMean && found.strong < fewStrong, qPrintable(said));
+        }
     }
 
     // The comparison can fail: one line less is seen.
