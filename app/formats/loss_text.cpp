@@ -37,12 +37,14 @@ QString lossSentence(const std::vector<Loss>& report)
     return Text::tr("%1 cannot be kept.").arg(list);
 }
 
-QString cutSentence(const std::vector<Loss>& report)
+QString saveAsReason(const std::vector<Loss>& report)
 {
-    if (std::ranges::none_of(report, &Loss::cut))
-        return {};
-    return Text::tr("Clip paths are real cuts now. Save asks for another name, so that the file "
-                    "keeps them.");
+    QStringList sentences;
+    if (const QString lost = lossSentence(report); !lost.isEmpty())
+        sentences << lost;
+    if (std::ranges::any_of(report, &Loss::cut))
+        sentences << Text::tr("What clip paths hide was cut off; only the file still has it.");
+    return sentences.join(u' ');
 }
 
 QStringList lossLines(const std::vector<Loss>& report)

@@ -8,8 +8,8 @@ namespace app {
 /// "3 texts and 1 mask cannot be kept." Empty if nothing was lost.
 QString lossSentence(const std::vector<Loss>& report);
 
-/// "What clip paths hide was cut off for good; the file keeps it." Empty if nothing was cut.
-QString cutSentence(const std::vector<Loss>& report);
+/// The same, and that clip paths were cut: why Save becomes Save as. Empty if it does not.
+QString saveAsReason(const std::vector<Loss>& report);
 
 /// One line for each entry of the report: first the losses, then the remarks.
 QStringList lossLines(const std::vector<Loss>& report);

@@ -172,7 +172,7 @@ Questions::Answer Questions::saveChanges(const QString& name)
 
 bool Questions::saveAsNewFile(const std::vector<app::Loss>& losses)
 {
-    return ask(window_, Text::tr("%1 Save as a new file?").arg(app::lossSentence(losses)),
+    return ask(window_, Text::tr("%1 Save as a new file?").arg(app::saveAsReason(losses)),
                Text::tr("The original file stays as it is."), {Text::tr("Save as…")})
            == 0;
 }

@@ -176,12 +176,11 @@ void Files::tellLosses()
     const auto& losses = session_.losses();
     if (losses.empty())
         return;
-    QStringList sentences{app::lossSentence(losses), app::cutSentence(losses)};
-    sentences.removeAll(QString());
-    if (sentences.isEmpty())
-        sentences << Text::tr("%1 was opened with some changes.").arg(name());
-    emit told({Message::Kind::Warning, sentences.join(u' '), Text::tr("Show details"),
-               [this, losses] { questions_->showLosses(name(), losses); }});
+    const QString sentence = app::saveAsReason(losses);
+    emit told(
+        {Message::Kind::Warning,
+         sentence.isEmpty() ? Text::tr("%1 was opened with some changes.").arg(name()) : sentence,
+         Text::tr("Show details"), [this, losses] { questions_->showLosses(name(), losses); }});
 }
 
 void Files::openSample(const app::Sample& sample)

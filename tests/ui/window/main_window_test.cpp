@@ -300,6 +300,21 @@ private slots:
         QVERIFY(QFile::exists(t.path("new.svg")));
         QVERIFY(t.saved()); // now it is ours
     }
+    void aCutImportIsSavedAsANewFile()
+    {
+        TestWindow t;
+        QFile file(t.path("clipped.svg"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("<svg xmlns='http://www.w3.org/2000/svg' width='10mm' height='10mm'><clipPath "
+                   "id='c'><circle r='5'/></clipPath><path d='M0 0L9 9' stroke='#000' "
+                   "clip-path='url(#c)'/></svg>");
+        file.close();
+        t.show();
+        t.open(file.fileName());
+        QVERIFY2(t.window->message().contains("clip paths"), qPrintable(t.window->message()));
+        t.answers->asNewFile = false;
+        QVERIFY(!t.saved());
+    }
     void drawingsAreSavedOnlyAsSvg()
     {
         TestWindow t;
