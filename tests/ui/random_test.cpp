@@ -2,6 +2,8 @@
 // Random keys, clicks, unfinished gestures and commands on all widgets of all windows, with several
 // files and whatever is on the clipboard.
 // The environment variables CLEARCUT_EVENTS and CLEARCUT_SEED set their number and the first seed.
+#include "ui/widgets/sheet.h"
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QClipboard>
@@ -138,7 +140,9 @@ public:
         const app::Display& display = session().display();
         if (panes.chosen() != usable(display.variant))
             return "what is chosen is not the active pane's";
-        const bool otherPage = session().microscope.isOpen() || test_.window->sheets().isOpen();
+        const ui::Sheet* sheetBeside = test_.window->sheet();
+        const bool otherPage = session().microscope.isOpen() || test_.window->sheets().isOpen()
+                               || (sheetBeside && sheetBeside->preview());
         if (test_.drawingArea()->isVisibleTo(test_.window.get()) == otherPage
             || test_.drawingArea() != test_.window->canvas().paneSurface(panes.active()))
             return "the active pane is not in sight";

@@ -29,11 +29,6 @@ public:
     int asked = 0;        ///< number of questions about unsaved changes
 
     QString fileToOpen(const QString&) override { return open; }
-    QString fileToSave(const QString&, const QString& proposal, Formats) override
-    {
-        proposed = proposal;
-        return save;
-    }
     QString fileToWrite(const QString&, const QString& proposal, const QString&,
                         const QString&) override
     {

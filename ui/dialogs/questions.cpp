@@ -78,29 +78,6 @@ QString Questions::fileToOpen(const QString& folder)
                                         filters.join(QStringLiteral(";;")));
 }
 
-QString Questions::fileToSave(const QString& title, const QString& proposal, Formats which)
-{
-    QStringList filters;
-    for (const app::Format& format : app::formats())
-        if (format.write && (which == Formats::All || filters.isEmpty()))
-            filters << filter(format);
-    QFileDialog dialog(&window_, title, QFileInfo(proposal).path(),
-                       filters.join(QStringLiteral(";;")));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(ending(app::formats().front()));
-    dialog.selectFile(QFileInfo(proposal).fileName());
-    const auto follow = [&dialog](const QString& chosen) {
-        for (const app::Format& format : app::formats())
-            if (filter(format) == chosen) {
-                dialog.setDefaultSuffix(ending(format));
-                const QFileInfo named(dialog.selectedFiles().value(0));
-                dialog.selectFile(named.completeBaseName() + u'.' + ending(format));
-            }
-    };
-    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, follow);
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
-}
-
 QString Questions::fileToWrite(const QString& title, const QString& proposal, const QString& kind,
                                const QString& ending)
 {

@@ -19,14 +19,10 @@ public:
     virtual ~Questions() = default;
 
     enum class Answer : std::uint8_t { Save, DontSave, Cancel };
-    enum class Formats : std::uint8_t { Native, All };
 
     /// A file to read; empty: cancelled.
     virtual QString fileToOpen(const QString& folder);
-    /// A path to write to, in any writable format or the native one; empty: cancelled. Adds a file
-    /// extension if there is none.
-    virtual QString fileToSave(const QString& title, const QString& proposal, Formats which);
-    /// A path to write something other than a drawing to: a table, a chart, a report. `kind` names
+    /// A path to write a drawing to, a table, a chart or a report; empty: cancelled. `kind` names
     /// it in the dialog; `ending` is the file extension, added if there is none.
     virtual QString fileToWrite(const QString& title, const QString& proposal, const QString& kind,
                                 const QString& ending);

@@ -67,9 +67,15 @@ void ExportSheet::addFile()
 
 void ExportSheet::addButtons()
 {
+    auto* print = plainButton(Text::tr("Print…"));
+    print->setObjectName(QStringLiteral("print-export"));
+    print->setToolTip(Text::tr("Print the same area"));
+    addToFoot(print, Side::Left);
     auto* cancel = plainButton(Text::tr("Cancel"));
     cancel->setObjectName(QStringLiteral("cancel-export"));
     addToFoot(cancel);
+    connect(print, &QPushButton::clicked, this,
+            [this] { emit printWanted(live_->job().choice.area); });
     export_->setObjectName(QStringLiteral("write-export"));
     wearFont(*export_, 1, QFont::DemiBold); // Enter presses it
     addToFoot(export_);

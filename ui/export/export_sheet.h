@@ -29,6 +29,7 @@ public:
 
 signals:
     void summed(const QString& summary); ///< "PNG, 941 paths"
+    void printWanted(const app::ExportArea& area);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -9,12 +9,13 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui {
 
 namespace {
 
-constexpr int tilesInRow = 4;
+constexpr int roomForFour = 340;   // pixels of the whole section; with less three are in a row
 constexpr QSize leastTile(66, 42); // pixels
 constexpr int inset = 7;
 
@@ -64,10 +65,10 @@ private:
 } // namespace
 
 FormatTiles::FormatTiles(QWidget* parent)
-    : ExportSection(Text::tr("Format"), parent), formats_(app::exportFormats())
+    : ExportSection(Text::tr("Format"), parent), formats_(app::exportFormats()),
+      tiles_(new QGridLayout)
 {
-    auto* tiles = new QGridLayout;
-    tiles->setSpacing(6);
+    tiles_->setSpacing(6);
     for (std::size_t i = 0; i < formats_.size(); ++i) {
         const app::Format& format = *formats_[i];
         auto* tile = new Tile(app::latin(format.key).toUpper(), format.purpose);
@@ -76,11 +77,25 @@ FormatTiles::FormatTiles(QWidget* parent)
                              ? format.name
                              : Text::tr("%1: at most %2").arg(format.name, format.limits));
         group_.addButton(tile, int(i));
-        tiles->addWidget(tile, int(i) / tilesInRow, int(i) % tilesInRow);
     }
-    grid().addLayout(tiles, 1, 0, 1, 2);
+    grid().addLayout(tiles_, 1, 0, 1, 2);
+    lay(4);
     connect(&group_, &QButtonGroup::idClicked, this,
             [this](int id) { emit picked(*formats_[std::size_t(id)]); });
+}
+
+void FormatTiles::lay(int inRow)
+{
+    if (std::exchange(inRow_, inRow) == inRow)
+        return;
+    for (std::size_t i = 0; i < formats_.size(); ++i)
+        tiles_->addWidget(group_.button(int(i)), int(i) / inRow, int(i) % inRow);
+}
+
+void FormatTiles::resizeEvent(QResizeEvent* event)
+{
+    ExportSection::resizeEvent(event);
+    lay(width() < roomForFour ? 3 : 4);
 }
 
 void FormatTiles::choose(const app::Format& format)

@@ -17,12 +17,19 @@ public:
 
     void choose(const app::Format& format); ///< without a signal
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 signals:
     void picked(const app::Format& format); ///< by the person
 
 private:
+    void lay(int inRow); ///< so many tiles in a row
+
     std::vector<const app::Format*> formats_;
     QButtonGroup group_;
+    QGridLayout* tiles_;
+    int inRow_ = 0;
 };
 
 } // namespace ui

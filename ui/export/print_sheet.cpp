@@ -105,6 +105,13 @@ void PrintSheet::begin()
     live_->change(std::move(choice));
 }
 
+void PrintSheet::choose(const app::ExportArea& area)
+{
+    app::ExportChoice choice = live_->choice();
+    choice.area = area;
+    live_->change(std::move(choice));
+}
+
 app::PrintChoice PrintSheet::choice() const
 {
     app::PrintChoice choice = paper_->choice();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/export/print_job.h"
 #include "app/session/live_export.h"
 #include "ui/widgets/sheet.h"
 
@@ -19,6 +20,7 @@ class PrintSheet : public Sheet {
 
 public:
     PrintSheet(app::Session& session, Files& files);
+    void choose(const app::ExportArea& area);
 
     ExportPreview& shown() { return *preview_; }
     app::LiveExport& live() { return *live_; }

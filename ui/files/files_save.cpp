@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 
@@ -78,8 +79,9 @@ void Files::saveNow(const Answer& saved)
 // Only the native format holds a whole drawing; another format would lose parts of it.
 void Files::askPath(const Answer& saved)
 {
-    const QString path = questions_->fileToSave(
-        Text::tr("Save as"), proposal(QStringLiteral(".svg")), Questions::Formats::Native);
+    const app::Format& native = app::formats().front();
+    const QString path = questions_->fileToWrite(
+        Text::tr("Save as"), proposal(QStringLiteral(".svg")), native.name, app::latin(native.key));
     if (held_ && held_(path))
         emit told({Message::Kind::Warning, refusalToWrite(path)});
     else if (!path.isEmpty() && isNative(path))

@@ -24,21 +24,29 @@ Sheet* make(MainWindow& window)
     return new Shown(window);
 }
 
-Sheet* makeExport(MainWindow& window)
-{
-    auto* sheet = new ExportSheet(window.session(), window.files());
-    QObject::connect(sheet, &ExportSheet::summed, &window.status(), &StatusBar::setSummary);
-    window.status().showHint(Text::tr("Drag to move the preview. Enter: export. Esc: back to the "
-                                      "drawing, nothing is changed."));
-    return sheet;
-}
-
-Sheet* makePrint(MainWindow& window)
+PrintSheet* printSheet(MainWindow& window)
 {
     window.status().showHint(Text::tr("Drag to move the preview. Enter: print. Esc: back to the "
                                       "drawing, nothing is changed."));
     auto* sheet = new PrintSheet(window.session(), window.files());
     QObject::connect(sheet, &PrintSheet::summed, &window.status(), &StatusBar::setSummary);
+    return sheet;
+}
+
+Sheet* makePrint(MainWindow& window) { return printSheet(window); }
+
+Sheet* makeExport(MainWindow& window)
+{
+    auto* sheet = new ExportSheet(window.session(), window.files());
+    QObject::connect(sheet, &ExportSheet::summed, &window.status(), &StatusBar::setSummary);
+    QObject::connect(sheet, &ExportSheet::printWanted, &window,
+                     [&window](const app::ExportArea& area) {
+                         PrintSheet* print = printSheet(window);
+                         print->choose(area);
+                         window.showSheet(print);
+                     });
+    window.status().showHint(Text::tr("Drag to move the preview. Enter: export. Esc: back to the "
+                                      "drawing, nothing is changed."));
     return sheet;
 }
 

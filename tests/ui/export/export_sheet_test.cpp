@@ -134,7 +134,7 @@ private slots:
         QCOMPARE(t.text("export-size"), "<b>40.00 × 30.00 mm</b>");
         QCOMPARE(t.text("export-length"), "<b>80.00 mm</b>");
         QCOMPARE(t.text("export-paths"), "<b>1</b> of 2, on 1 layer");
-        QVERIFY2(t.text("export-bytes").endsWith("B</b>"), qPrintable(t.text("export-bytes")));
+        QVERIFY2(t.text("export-bytes").endsWith("bytes</b>"), qPrintable(t.text("export-bytes")));
         t.press("export-page");
         QCOMPARE(t.text("export-size"), "<b>100.00 × 80.00 mm</b>");
         QCOMPARE(t.text("export-paths"), "<b>2</b>, on 2 layers");
@@ -272,6 +272,15 @@ private slots:
         QCOMPARE(t.text("export-size"), "<b>100.00 × 80.00 mm</b>");
         t.write(t.path("lines.pdf"));
         QVERIFY(contentOf(t.path("lines.pdf")).startsWith("%PDF"));
+    }
+    void theSameAreaIsPrinted()
+    {
+        Desk t;
+        t.openSheet();
+        t.press("export-page");
+        t.part<QPushButton>("print-export").click();
+        QCOMPARE(t.window->sheet()->objectName(), "print");
+        QVERIFY(t.window->sheet()->findChild<QRadioButton*>("export-page")->isChecked());
     }
     // What lies outside the window is not on the preview, and what lies inside is.
     void thePreviewShowsOnlyWhatIsWritten()

@@ -19,18 +19,18 @@ class ExportTest : public QObject {
     }
     static Steps another(const char* corner) { return {type(corner), enter(), enter()}; }
 
-    /// A picture of 20.3 × 10.3 mm at 300 dpi: nothing inside, the stroke around it.
+    /// A picture of 21 × 11 mm at 300 dpi: nothing inside, the stroke around it.
     static QString faultOfPicture(const Player& player)
     {
         const QImage image(player.exported());
-        if (image.size() != QSize(240, 122))
+        if (image.size() != QSize(248, 130))
             return QString("%1: %2 × %3")
                 .arg(player.exported())
                 .arg(image.width())
                 .arg(image.height());
-        if (image.pixelColor(120, 61).alpha() != 0)
+        if (image.pixelColor(124, 65).alpha() != 0)
             return "it is not transparent";
-        return image.pixelColor(120, 1) == QColor(Qt::black) ? QString() : "there is no stroke";
+        return image.pixelColor(124, 4) == QColor(Qt::black) ? QString() : "there is no stroke";
     }
     /// The size of a PDF page in millimetres.
     static QString pageOf(const QString& pdf)
@@ -47,7 +47,7 @@ class ExportTest : public QObject {
         if (player.drawn().size() != 2)
             return "not both are drawn";
         const QString page = pageOf(player.exported());
-        return page == "20.30 × 10.30" ? QString() : page;
+        return page == "21.00 × 11.00" ? QString() : page;
     }
 
 private slots:
@@ -56,7 +56,7 @@ private slots:
     void logoPicture()
     {
         Steps steps = rectangle("40,50");
-        add(steps, another("80,90"));
+        add(steps, another("#80,90"));
         add(steps,
             {key("V"), click({50, 50}), key("Ctrl+E"), key("Right"), key("Right"),
              press("The selected objects, whole"), press("Nothing behind the drawing"), enter()});
@@ -80,7 +80,7 @@ private slots:
         };
         Steps steps = rectangle("40,50");
         add(steps, {key("Ctrl+E"), enter()});
-        add(steps, another("80,90"));
+        add(steps, another("#80,90"));
         add(steps, {key("Ctrl+Shift+E")});
         const Table once{box({40, 50}), box({80, 90})};
         Table twice = once;
