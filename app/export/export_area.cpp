@@ -59,13 +59,16 @@ std::optional<clipping::Window> boxAround(const ClipWindows& windows)
     if (effective.keep == Keep::Outside || effective.list.empty()
         || effective.list.front().operation != WindowOperation::Add)
         return std::nullopt;
-    clipping::Window box = boxOf(effective.list.front().shape);
+    std::optional<clipping::Window> box; // empty: nothing is kept so far
     for (const ClipWindow& window : effective.list) {
         const clipping::Window next = boxOf(window.shape);
         if (window.operation == WindowOperation::Add)
-            box = {glm::min(box.min, next.min), glm::max(box.max, next.max)};
-        else if (window.operation == WindowOperation::Intersect)
-            box = {glm::max(box.min, next.min), glm::min(box.max, next.max)};
+            box = box ? clipping::Window{glm::min(box->min, next.min), glm::max(box->max, next.max)}
+                      : next;
+        else if (window.operation == WindowOperation::Intersect && box)
+            box = clipping::Window{glm::max(box->min, next.min), glm::min(box->max, next.max)};
+        if (box && !(box->min.x <= box->max.x && box->min.y <= box->max.y))
+            box.reset();
     }
     return box;
 }

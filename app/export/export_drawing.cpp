@@ -87,6 +87,7 @@ Result<ExportDrawing> exportDrawing(const ExportJob& job, const Follower& follow
                        .options = writeOptionsOf(job.choice, options.region)};
     if (!options.region.everything()) {
         const Cut result = cut(made.document, options, follower);
+        made.cut = true;
         made.counts = result.counts;
         if (follower.stop.stop_requested())
             return Made::failure({});

@@ -15,6 +15,7 @@ struct ExportJob {
 /// The drawing that is written, and what it is.
 struct ExportDrawing {
     Document document; ///< without clip windows and guides, on its paper
+    bool cut = false;  ///< at windows
     CutCounts counts{};
     WriteOptions options{};
     QStringList losses{}; ///< what the file cannot hold, a remark each

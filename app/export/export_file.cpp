@@ -36,6 +36,7 @@ std::optional<QString> write(const ExportJob& job, const QString& path, const Fo
     auto drawing = exportDrawing(job, phases.next());
     if (!drawing)
         return drawing.error;
+    end.cut = drawing.value->cut;
     end.counts = drawing.value->counts;
     drawing.value->options.stop = follower.stop;
     return writeFile(drawing.value->document, path, drawing.value->options, &formatOf(job.choice));
@@ -46,7 +47,6 @@ std::optional<QString> write(const ExportJob& job, const QString& path, const Fo
 ExportResult exportFile(const ExportJob& job, const QString& path, const Follower& follower)
 {
     ExportResult end;
-    end.cut = job.choice.area.part == ExportPart::Cut;
     const QString outOfMemory =
         Text::tr(
             "Cannot export %1: there is not enough memory. Close other programs, or export a part "

@@ -24,7 +24,9 @@ Document onlyObjects(Document document, const ObjectRanges& objects)
 Page paperAround(Page page, const clipping::Window& rectangle)
 {
     const double unit = page.millimetresPerUnit();
-    const Unit shown = page.usualUnit();
+    // Of the paper: that of the drawing's lengths may be none that SVG knows.
+    const Unit shown = infoOf(page.width.unit).millimetres > 0 ? page.width.unit : Unit::Px;
+    page.margins = {}; // they may leave nothing of it
     page.min = rectangle.min;
     page.size = rectangle.max - rectangle.min;
     page.width = {inUnit(page.size.x, shown, unit), shown};

@@ -92,6 +92,9 @@ Result<Page> withScale(Page page, double ratio)
             Text::tr("A scale is between 1 : 0.001 and 1 : 10,000,000. Type another number."));
     if (ratio == page.scale.ratio)
         return Result<Page>::of(std::move(page));
+    const auto hasSize = [](const Length& side) { return infoOf(side.unit).millimetres > 0; };
+    if (!hasSize(page.width) || !hasSize(page.height)) // else the paper would grow with it
+        setSize(page, millimetresOf(page));
     page.size = page.size * ratio / page.scale.ratio;
     page.scale.ratio = ratio;
     return Result<Page>::of(std::move(page));

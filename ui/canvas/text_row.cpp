@@ -83,8 +83,9 @@ bool TextRow::follow()
     showFaces(texts);
     if (size_->isBeingTyped())
         return true;
-    const app::Unit unit = session_.display().unit;
-    const double millimetres = session_.now().page().millimetresPerUnit();
+    const app::Page& page = session_.now().page();
+    const app::Unit unit = page.paperUnit(session_.display().unit);
+    const double millimetres = page.millimetresPerUnit();
     if (app::commonOf(texts, &app::TextRecipe::size))
         size_->show(texts.front().size, unit, millimetres);
     else

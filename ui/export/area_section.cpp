@@ -89,7 +89,8 @@ QString AreaSection::remarkOf(const app::ExportPartInfo& info) const
     if (info.part == app::ExportPart::Cut)
         return Text::tr("what the windows keep");
     if (info.part == app::ExportPart::Page)
-        return app::sizeText(page.size, session_.display().unit, page.millimetresPerUnit());
+        return app::sizeText(page.size, page.paperUnit(session_.display().unit),
+                             page.millimetresPerUnit());
     const std::size_t objects = session_.selection().size();
     return objects == 1 ? Text::tr("1 object")
                         : Text::tr("%1 objects").arg(app::countText(objects));

@@ -52,6 +52,12 @@ Opened opened(const QString& path)
     return opened;
 }
 
+/// On the page that was kept last.
+app::Document emptyDrawing()
+{
+    return app::newDrawing(app::pageFromText(QSettings().value("page").toString()));
+}
+
 } // namespace
 
 void Files::replace(std::function<void(const Turn&)> then)
@@ -104,13 +110,12 @@ void Files::startNew(std::function<void()> started)
     if (Files* there = placeFor(); there != this)
         return there ? there->startNew(std::move(started)) : void();
     replace([this, started = std::move(started)](const Turn&) {
-        const app::Page page = app::pageFromText(QSettings().value("page").toString());
-        if (show({app::newDrawing(page), {}}, {}, {}) && started)
+        if (show({emptyDrawing(), {}}, {}, {}) && started)
             started();
     });
 }
 
-void Files::clear() { show({app::newDrawing(), {}}, {}, {}); }
+void Files::clear() { show({emptyDrawing(), {}}, {}, {}); }
 
 void Files::openMade(app::Document document, const QString& title,
                      std::function<void(app::Session*)> opened)

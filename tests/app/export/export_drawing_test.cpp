@@ -77,6 +77,39 @@ class ExportDrawingTest : public QObject {
     }
 
 private slots:
+    // Lengths of the drawing may be metres or feet, which SVG does not know for its paper.
+    void thePaperHasAUnitOfPaper()
+    {
+        ExportJob job = jobOf(ExportPart::Cut);
+        Page page = job.source.document.page();
+        page.scale.unit = Unit::Metre;
+        page.margins = {10, 10, 10, 10, true};
+        job.source.document.apply({.page = page});
+        const Page made = ExportDrawingTest::made(job).document.page();
+        QCOMPARE(made.width.unit, page.width.unit);
+        QVERIFY(!made.margins.shown);
+        const QString file = folder_.filePath("metres.svg");
+        QVERIFY(exportFile(job, file).end == WriteResult::End::Written);
+        const auto read = readFile(file);
+        QVERIFY(read);
+        QCOMPARE(millimetresOf(read.value->document.page()), millimetresOf(made));
+    }
+
+    void aPartThatIsKeptTwiceOnlyHasItsOwnPaper()
+    {
+        ExportJob job = jobOf(ExportPart::Cut);
+        const auto window = [](double from, WindowOperation operation) {
+            return ClipWindow{.shape = RectangleShape{{{from, 0}, {from + 10, 100}}},
+                              .operation = operation};
+        };
+        job.source.document.apply({.windows = ClipWindows{{window(0, WindowOperation::Add),
+                                                           window(20, WindowOperation::Intersect),
+                                                           window(100, WindowOperation::Add)}}});
+        const Page page = ExportDrawingTest::made(job).document.page();
+        QCOMPARE(page.rectangle().min.x, 100.0);
+        QCOMPARE(page.rectangle().max.x, 110.0);
+    }
+
     void theCutDrawingIsAsLargeAsItsWindows()
     {
         const Document cut = made(jobOf(ExportPart::Cut)).document;

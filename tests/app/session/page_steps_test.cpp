@@ -60,6 +60,18 @@ private slots:
         QVERIFY(near(plan.style().dashes[0] * plan.page().millimetresPerUnit(), 2));
         QVERIFY(near(plan.pen.style.width * plan.page().millimetresPerUnit(), 0.3));
     }
+    // A file that gives no size on paper: a pixel is a unit.
+    void aPageWithoutASizeGetsOne()
+    {
+        Page page{{0, 0}, {960, 480}, {100, Unit::Percent}, {100, Unit::Percent}};
+        const Point paper = millimetresOf(page);
+        const auto scaled = withScale(page, 50);
+        QVERIFY(scaled);
+        const Point after = millimetresOf(*scaled.value);
+        QVERIFY(near(after.x, paper.x) && near(after.y, paper.y));
+        QVERIFY(near(scaled.value->realMillimetresPerUnit(), 25.4 / 96));
+    }
+
     void allChangesAreOneStep()
     {
         Plan plan;
