@@ -122,6 +122,7 @@ MainWindow* Desk::unused(MainWindow& asking)
 Files* Desk::placeFor(MainWindow& from, const QString& path)
 {
     MainWindow& asking = numberOf(from) == open_.size() ? current() : from; // it is being closed
+    asking.canvas().endGesture(); // what it has made is a use
     if (!path.isEmpty())
         for (const Open& open : open_)
             if (open.window->files().holds(path)) {

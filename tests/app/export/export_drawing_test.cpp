@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/variant.h"
+#include "app/document/paper.h"
 #include "app/export/drawn_box.h"
 #include "app/export/export_file.h"
 

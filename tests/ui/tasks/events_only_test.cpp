@@ -64,7 +64,7 @@ private slots:
               "window_.window->canvas().view().toScreen(p)", "window_.window->files().wait();",
               "window_.window->session().now().objects()", "window_.window->session().now().page()",
               "window_.window->files().lastExport()",
-              "file.value->document.objects()", "the session is only read"}) {
+              "file.value->document.objects()", "app/document/paper.h", "the session is only read"}) {
             QVERIFY2(source.contains(plumbing), plumbing);
             source.remove(plumbing);
         }
