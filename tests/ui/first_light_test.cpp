@@ -13,6 +13,7 @@
 #include <QImage>
 #include <QLineEdit>
 #include <QProcess>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -88,6 +89,7 @@ private slots:
     {
         QTemporaryDir folder;
         const QString cutFile = folder.filePath("out.svg");
+        QSettings().remove("export"); // of this file, by an earlier run
         ui::MainWindow window(ui::Backend::Raster);
         ui::addMenus(window);
         window.setQuestions(std::make_unique<Answers>(window));

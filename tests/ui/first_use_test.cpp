@@ -191,6 +191,8 @@ private slots:
         t.open(t.twoLines());
         t.show();
         QVERIFY(QTest::qWaitForWindowActive(t.window.get()));
+        t.window->canvas().setTool("rectangle"); // whose bar has a list
+        QCoreApplication::processEvents();
         // The focus within the window: without a window manager, closing a list does not make the
         // window active again.
         const auto focus = [&] { return t.window->focusWidget(); };

@@ -192,8 +192,8 @@ private slots:
             "WaitingDialog",     //
             "ExportStepsDialog", //
             "LeftoverPicture",   //
-            "Desk",              // holds windows, as the next one; editor/desk_test.cpp looks at both
-            "TabMark",           //
+            "Desk",    // holds windows, as the next one; editor/desk_test.cpp looks at both
+            "TabMark", //
         };
         QStringList missing;
         const auto widgets = widgetClasses();

@@ -8,6 +8,7 @@
 #include "ui/docks/history_model.h"
 #include "ui/docks/layer_model.h"
 #include "ui/docks/window_model.h"
+#include "ui/explanation/help_contents.h"
 #include "ui/hard_cases/answer_table.h"
 #include "ui/hard_cases/case_list.h"
 #include "ui/menus/palette_list.h"
@@ -122,6 +123,7 @@ const std::vector<Row>& rows()
          alone<CompareModel>},
         {"DifferenceModel", ofSession<DifferenceModel>, ofSession<DifferenceModel>},
         {"ExactnessModel", ofSession<ExactnessModel>, ofSession<ExactnessModel>},
+        {"HelpModel", alone<HelpModel>, nullptr},
         {"HistoryModel",
          [](app::Session& session) -> Model {
              return std::make_unique<HistoryModel>(session.history);

@@ -81,6 +81,8 @@ bool mayBeUnheard(const QObject& object, const QByteArray& signal)
            || signal == "eyedropperWanted"  // hidden where there is no canvas
            || (signal == "entered" && isIn(object, "ui::StylePopup")) // which keeps the keyboard
            || (signal == "frameShown" && name == u"Overview of the sheets")
+           || isIn(object, "ui::DrawingTabs") // of several windows: editor/desk_test.cpp
+           || signal == "notOpened"           // likewise
            // Typing withdraws the sentence.
            || (signal == "taken" && (isIn(object, "ui::TilesPage") || isIn(object, "ui::TextBox")));
 }

@@ -38,7 +38,7 @@ SheetsSection::SheetsSection(app::Session& session, app::LiveSheets& sheets, QWi
       turn_(new Segments(Text::tr("Orientation"), {Text::tr("Portrait"), Text::tr("Landscape")})),
       by_(new Segments(Text::tr("Cut by"), {Text::tr("Paper size"), Text::tr("Number")})),
       columns_(countField(Text::tr("Columns"))), rows_(countField(Text::tr("Rows"))),
-      scale_(new QDoubleSpinBox), size_(quietLabel({})), remark_(new LookLabel)
+      scale_(new QDoubleSpinBox), size_(new ElidedLabel), remark_(new LookLabel)
 {
     addPaper();
     addNumbers();
@@ -134,6 +134,7 @@ void SheetsSection::addLengths()
     scale_->setObjectName(QStringLiteral("sheets-scale"));
     scale_->setFixedHeight(space::fieldHeight);
     scale_->setFixedWidth(lengthWidth);
+    size_->setForegroundRole(QPalette::PlaceholderText); // its width is no reason for a wider sheet
     addRow(Text::tr("Scale"), {scale_, size_});
     connect(scale_, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
         change(scale_, [&](app::SheetSettings& next) { next.plan.scale = percent / 100; });
@@ -222,12 +223,12 @@ void SheetsSection::follow()
     rows_->setValue(byNumber || !tiling ? now.plan.rows : tiling.value->rows);
     if (!tiling) {
         setRemark({});
-        return size_->clear();
+        return size_->setWhole({});
     }
     setRemark(app::gridText(*tiling.value));
-    size_->setText(Text::tr("%1 × %2 mm")
-                       .arg(app::numberText(tiling.value->drawing.x, 0),
-                            app::numberText(tiling.value->drawing.y, 0)));
+    size_->setWhole(Text::tr("%1 × %2 mm")
+                        .arg(app::numberText(tiling.value->drawing.x, 0),
+                             app::numberText(tiling.value->drawing.y, 0)));
 }
 
 } // namespace ui

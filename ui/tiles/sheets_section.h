@@ -52,7 +52,7 @@ private:
     QSpinBox *columns_, *rows_;
     LengthField *overlap_, *margin_;
     QDoubleSpinBox* scale_;
-    QLabel* size_;
+    ElidedLabel* size_;
     LookLabel* remark_;
     QString refused_;
     QHash<QWidget*, RefusalFrame*> frames_;

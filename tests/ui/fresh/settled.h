@@ -99,7 +99,7 @@ inline void dropRemarksOfThePlatform()
 /// Until nothing happens any more. False: it goes on for ever.
 inline bool settle()
 {
-    constexpr int most = 500, enough = 2;
+    constexpr int most = 3000, enough = 2; // each of up to 1,000 sheets takes a turn or two
     for (int turn = 0, quiet = 0; turn < most; ++turn) {
         QCoreApplication::processEvents();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

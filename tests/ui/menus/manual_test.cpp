@@ -205,14 +205,14 @@ private slots:
         QTest::keyClicks(field, "Ctrl+E");
         QVERIFY(list->model()->rowCount() > 0);
         QTest::keyClick(field, Qt::Key_Return);
-        QCOMPARE(reader->page().topic(), QStringLiteral("cutting"));
+        QCOMPARE(reader->page().topic(), QStringLiteral("export"));
         QTest::keyClick(field, Qt::Key_Escape);
         QVERIFY(reader->isVisible() && field->text().isEmpty());
-        QCOMPARE(list->currentIndex().data().toString(), app::manualPage("cutting")->title);
+        QCOMPARE(list->currentIndex().data().toString(), app::manualPage("export")->title);
         QTest::keyClicks(field, "xyzzy");
         QCOMPARE(list->model()->rowCount(), 1); // says that there is none
         QTest::keyClick(field, Qt::Key_Return);
-        QCOMPARE(reader->page().topic(), QStringLiteral("cutting"));
+        QCOMPARE(reader->page().topic(), QStringLiteral("export"));
         t.action("about-algorithm")->trigger();
         QVERIFY(reader->page().algorithm());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/variants.h"
 #include "app/session/comparing.h"
+#include "app/session/export_source.h"
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/compare_table.h"
 #include "ui/window/workspace_panes.h"
@@ -37,9 +38,10 @@ struct Bench : TestWindow {
     }
     bool exportsTheLine() const
     {
-        answers->save = path("cut.svg");
-        run("export");
-        return contentOf(answers->save).contains("#123456");
+        const QString file = path("cut.svg");
+        window->files().exportTo({app::exportSourceOf(window->session()), {}}, file);
+        window->files().wait();
+        return contentOf(file).contains("#123456");
     }
 };
 
