@@ -130,6 +130,8 @@ inline Screen output(const char* name, Theme theme, const char* command, const c
                     test.window->setTheme(theme);
                     test.action(command)->trigger();
                     test.window->sheet()->findChild<QAbstractButton*>(button)->click();
+                    if (auto* file = test.window->sheet()->findChild<QLineEdit*>("export-file"))
+                        file->setText("~/nine-regions-cut"); // wherever the sources are
                     settle();
                     return test.window.get();
                 });
