@@ -13,7 +13,6 @@ enum class PaperTurn : std::uint8_t { Automatic, Portrait, Landscape };
 
 /// How a drawing is printed: always at its true size.
 struct PrintChoice {
-    ExportArea area{};
     Point paper{210, 297}; ///< in millimetres, portrait
     PaperTurn turn = PaperTurn::Automatic;
     double margin = 5;   ///< of each sheet, in millimetres, if there are several

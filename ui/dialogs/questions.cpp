@@ -118,6 +118,7 @@ bool Questions::choosePrinter(QPrinter& printer)
 {
     QPrintDialog dialog(&printer, &window_);
     dialog.setWindowTitle(Text::tr("Print"));
+    dialog.setOption(QAbstractPrintDialog::PrintPageRange, false); // all sheets are printed
     return dialog.exec() == QDialog::Accepted;
 }
 

@@ -126,22 +126,15 @@ QWidget* WindowPanel::makeOffer()
         fields_->startTyping(); // its numbers are typed next
     });
     auto* row = new QHBoxLayout;
-    row->addWidget(text, 1);
-    row->addWidget(button, 0, Qt::AlignVCenter);
+    row->addWidget(button);
     row->addWidget(makeAdd());
-    row->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
-                            space::dockMargin);
-    auto* more =
-        new QLabel(Text::tr("Several windows make one shape together: each adds to it, cuts out "
-                            "of it, intersects it, or replaces it. + makes one of any shape, also "
-                            "of selected objects."));
-    more->setWordWrap(true);
-    more->setForegroundRole(QPalette::PlaceholderText);
-    more->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    row->addStretch();
     auto* column = new QVBoxLayout;
-    column->setContentsMargins(0, 0, 0, 0);
+    column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                               space::dockMargin);
+    column->setSpacing(space::labelToField);
+    column->addWidget(text);
     column->addLayout(row);
-    column->addWidget(more);
     column->addStretch();
     auto* offer = new QWidget;
     offer->setLayout(column);

@@ -112,12 +112,7 @@ void PrintSheet::choose(const app::ExportArea& area)
     live_->change(std::move(choice));
 }
 
-app::PrintChoice PrintSheet::choice() const
-{
-    app::PrintChoice choice = paper_->choice();
-    choice.area = live_->job().choice.area;
-    return choice;
-}
+app::PrintChoice PrintSheet::choice() const { return paper_->choice(); }
 
 void PrintSheet::follow()
 {

@@ -60,8 +60,9 @@ public:
     void saveAs(Answer saved = {});
     /// Writes an export in the background; `written` is told whether the file is there.
     void exportTo(const app::ExportJob& job, const QString& path, Answer written = {});
-    /// Makes the last export of this drawing again, to the same file. There is one.
-    void exportAgain();
+    /// Makes the last export of this drawing again, to the same file. False, and nothing is
+    /// written: there is none, or it is not known which window or layer it was.
+    bool exportAgain();
     /// Prints in the background, at true size, on a printer that the person chooses; `printed` is
     /// told whether the sheets are on their way.
     void printTo(const app::ExportJob& job, const app::PrintChoice& choice, Answer printed = {});
@@ -157,6 +158,7 @@ private:
         Answer printed;
     };
     void printNow(const Printing& printing, const Turn& turn);
+    std::optional<std::size_t> exportedWindow() const;
     void tellExport(const app::ExportResult& end, const QString& path);
     void tellCut(const QString& done);
     void showCut(app::Cut cut, const app::PermanentCut& kind);
@@ -173,6 +175,7 @@ private:
     Place place_;
     Held held_;
     std::optional<app::DrawingExport> exported_; ///< the last export since this drawing was opened
+    QString exportedWindow_; ///< the name of its window
     QDateTime seen_; ///< the file's modification time when we last read or wrote it
     app::FileWatch watch_;
     InBackground background_;

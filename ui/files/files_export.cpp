@@ -3,12 +3,14 @@
 #include "app/base/text.h"
 #include "app/comparison/cut_text.h"
 #include "app/session/export_source.h"
+#include "app/session/window_words.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 
 #include <QFileInfo>
 #include <QSettings>
 
+#include <algorithm>
 #include <utility>
 
 // Writing a part of the drawing in any format.
@@ -32,6 +34,10 @@ void Files::exportTo(const app::ExportJob& job, const QString& path, Answer writ
                 const bool done = made && made->end == app::WriteResult::End::Written;
                 if (done) {
                     exported_ = app::DrawingExport{session_.path(), path, job.choice};
+                    const auto& windows = job.source.document.windows().list;
+                    exportedWindow_ = job.choice.area.window < windows.size()
+                                          ? app::nameOf(windows[job.choice.area.window])
+                                          : QString();
                     QSettings settings;
                     app::remember(settings, *exported_);
                 }
@@ -58,18 +64,37 @@ void Files::tellExport(const app::ExportResult& end, const QString& path)
     emit told({Message::Kind::Done, Text::tr("Exported %1, %2.").arg(name, size)});
 }
 
-void Files::exportAgain()
+/// The window of the last export, whose number may be another one now; empty: it is not known.
+std::optional<std::size_t> Files::exportedWindow() const
+{
+    const auto& windows = session_.windows().list;
+    const auto isIt = [this](const app::ClipWindow& each) {
+        return app::nameOf(each) == exportedWindow_;
+    };
+    const auto found = std::ranges::find_if(windows, isIt);
+    if (!exported_ || std::ranges::count_if(windows, isIt) != 1)
+        return std::nullopt;
+    return std::size_t(found - windows.begin());
+}
+
+bool Files::exportAgain()
 {
     const auto last = lastExport();
     if (!last)
-        return;
+        return false;
     emit documentWanted();
     app::ExportJob job{app::exportSourceOf(session_), last->choice};
-    if (!exported_) { // their numbers are not remembered
-        job.choice.area.window = session_.windowNumber().value_or(0);
-        job.choice.area.layer = session_.pen.layer;
+    app::ExportArea& area = job.choice.area;
+    if (area.part == app::ExportPart::Layer && !exported_)
+        return false;
+    if (area.part == app::ExportPart::Window) {
+        const auto window = exportedWindow();
+        if (!window)
+            return false;
+        area.window = *window;
     }
     exportTo(job, last->file);
+    return true;
 }
 
 std::optional<app::DrawingExport> Files::lastExport() const

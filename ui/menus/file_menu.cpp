@@ -120,8 +120,8 @@ MenuInfo fileMenu()
                     .keys = {K("Ctrl+Shift+E")},
                     .run =
                         [](MainWindow& w) {
-                            w.files().lastExport() ? w.files().exportAgain()
-                                                   : showSheet(w, "export");
+                            if (!w.files().exportAgain())
+                                showSheet(w, "export");
                         },
                     .enabled = someLines,
                     .paletteOnly = true,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/export_source.h"
 #include "app/session/window_steps.h"
 #include "ui/export/export_preview.h"
 #include "ui/export/export_sheet.h"
@@ -6,6 +7,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QFile>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -248,6 +250,33 @@ private slots:
         QVERIFY2(t.window->message().contains("nothing is selected"),
                  qPrintable(t.window->message()));
         QCOMPARE(contentOf(path), before);
+    }
+    void aWindowIsFoundAgainOrTheSheetOpens()
+    {
+        Desk t;
+        app::Session& session = t.window->session();
+        const auto lay = [&session](double from) {
+            app::addWindow(session, {.name = QStringLiteral("W%1").arg(from),
+                                     .shape = app::RectangleShape{{{from, 0}, {from + 20, 20}}}});
+        };
+        lay(0);
+        lay(50);
+        app::ExportChoice choice{.area = {.part = app::ExportPart::Window}};
+        choice.area.window = session.windows().list.size() - 1;
+        const QString path = t.path("window.svg");
+        t.window->files().exportTo({app::exportSourceOf(session), choice}, path);
+        t.window->files().wait();
+        const QByteArray before = contentOf(path);
+        QVERIFY(!before.isEmpty());
+        app::reorderWindow(session, choice.area.window, 0);
+        QVERIFY(QFile::remove(path));
+        t.run("export-again");
+        QCOMPARE(contentOf(path), before); // the same window
+        session.chooseWindow(0);
+        app::removeWindow(session);
+        t.run("export-again");
+        QCOMPARE(contentOf(path), before);
+        QVERIFY(t.window->sheet());
     }
     void withoutAnEarlierExportTheSheetOpens()
     {
