@@ -202,7 +202,7 @@ void Desk::close(MainWindow& window)
         return;
     showWindow(window);
     window.files().mayClose([this, &window](bool agreed) {
-        if (!agreed)
+        if (!agreed || numberOf(window) == open_.size()) // closed twice
             return;
         if (const QString path = window.session().path(); !path.isEmpty())
             closed_ << path;

@@ -209,6 +209,24 @@ private slots:
         QCOMPARE(t.desk->count(), 2); // the new drawing is beside the first
     }
 
+    // The second Ctrl+W waits until the first one has saved.
+    void closingTwiceClosesOne()
+    {
+        TestDesk t;
+        t.open(t.file("one.svg"));
+        t.open(t.file("two.svg"));
+        MainWindow& second = t.desk->current();
+        t.edit(second);
+        t.answersOf(second).answer = Questions::Answer::Save;
+        const QPointer<QAction> close = t.action("close");
+        close->trigger();
+        t.desk->close(second);
+        QTRY_COMPARE(t.desk->count(), 1);
+        QTest::qWait(50);
+        QCOMPARE(t.desk->count(), 1);
+        QVERIFY(t.desk->current().session().path().endsWith("one.svg"));
+    }
+
     void whatIsInHandIsSavedBeforeQuitting()
     {
         TestDesk t;
