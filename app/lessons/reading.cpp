@@ -8,8 +8,6 @@
 #include "app/teaching/line_text.h"
 #include "app/teaching/manual.h"
 
-#include <QRegularExpression>
-
 #include <algorithm>
 
 namespace app {
@@ -57,9 +55,7 @@ QString hardCasesOf(const clipping::Algorithm& algorithm)
 
 QString readingOf(const clipping::Algorithm& algorithm)
 {
-    static const QRegularExpression comment(QStringLiteral("<!--.*?-->"),
-                                            QRegularExpression::DotMatchesEverythingOption);
-    return pageOf(algorithm).remove(comment).trimmed() + hardCasesOf(algorithm);
+    return withoutComments(pageOf(algorithm)) + hardCasesOf(algorithm);
 }
 
 const clipping::Algorithm* algorithmOfPage(const QString& link)
@@ -69,7 +65,5 @@ const clipping::Algorithm* algorithmOfPage(const QString& link)
                ? clipping::findAlgorithm(name.chopped(ending.size()).toStdString())
                : nullptr;
 }
-
-QString pageLink(const clipping::Algorithm& algorithm) { return latin(algorithm.key) + ending; }
 
 } // namespace app

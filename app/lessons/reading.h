@@ -14,6 +14,5 @@ QString readingOf(const clipping::Algorithm& algorithm);
 
 /// The algorithm whose page a link names: "skala.md"; null for other links.
 const clipping::Algorithm* algorithmOfPage(const QString& link);
-QString pageLink(const clipping::Algorithm& algorithm);
 
 } // namespace app

@@ -15,23 +15,21 @@ namespace app {
 namespace {
 
 constexpr int titleScore = 10'000, commandScore = 1'000, mostPlaces = 900;
+constexpr qsizetype mostLetters = 200; // of what is typed: a paste may be endless
 constexpr qsizetype excerptBefore = 24, excerptLength = 90; // letters of an excerpt
 
 /// The words of a page, without what only markdown needs.
 QString wordsOf(QString markdown)
 {
-    static const QRegularExpression comment(QStringLiteral("<!--.*?-->"),
-                                            QRegularExpression::DotMatchesEverythingOption),
-        target(QStringLiteral("\\]\\([^)]*\\)")),
+    static const QRegularExpression target(QStringLiteral("\\]\\([^)]*\\)")),
         sign(QStringLiteral("[*`|\\[\\]#\\\\]|\\|?-{3,}"));
-    markdown.remove(comment);
-    markdown = markdown.section(u'\n', 1);
+    markdown = withoutComments(markdown).section(u'\n', 1);
     return markdown.remove(target).remove(sign).simplified();
 }
 
 HelpPage pageOn(const clipping::Algorithm& algorithm)
 {
-    return {latin(algorithm.key) + QStringLiteral(".md"),
+    return {pageLink(algorithm),
             QStringLiteral("%1 (%2)").arg(latin(algorithm.name), latin(algorithm.abbreviation)),
             wordsOf(pageOf(algorithm)),
             {}};
@@ -122,7 +120,7 @@ const std::vector<HelpPart>& helpContents()
 
 std::vector<HelpHit> searchHelp(const QString& typed, const HelpCommands& commands)
 {
-    const QString sought = typed.simplified();
+    const QString sought = typed.left(mostLetters).simplified();
     const QStringList words = sought.split(u' ', Qt::SkipEmptyParts);
     if (words.isEmpty())
         return {};

@@ -24,10 +24,15 @@ const QRegularExpression& pageLinks()
 
 } // namespace
 
-std::optional<ManualPage> manualPage(const QString& topic)
+QString withoutComments(QString markdown)
 {
     static const QRegularExpression comment(QStringLiteral("<!--.*?-->"),
                                             QRegularExpression::DotMatchesEverythingOption);
+    return markdown.remove(comment).trimmed();
+}
+
+std::optional<ManualPage> manualPage(const QString& topic)
+{
     QFile file(folder + topic + ending);
     if (topic.contains(u'/') || !file.open(QIODevice::ReadOnly))
         return std::nullopt;
@@ -35,7 +40,7 @@ std::optional<ManualPage> manualPage(const QString& topic)
     static const QRegularExpression explains(QStringLiteral("<!-- explains:([^>]*)-->"));
     const QStringList commands =
         explains.match(markdown).captured(1).simplified().split(u' ', Qt::SkipEmptyParts);
-    markdown = markdown.remove(comment).trimmed();
+    markdown = withoutComments(markdown);
     return ManualPage{topic, markdown.section(u'\n', 0, 0).mid(2), markdown, commands};
 }
 
@@ -105,6 +110,8 @@ QString blockOf(std::string_view code)
 }
 
 } // namespace
+
+QString pageLink(const clipping::Algorithm& algorithm) { return latin(algorithm.key) + ending; }
 
 QString pageOf(const clipping::Algorithm& algorithm)
 {

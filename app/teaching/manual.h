@@ -41,6 +41,11 @@ QString topicOfPage(const QString& link);
 /// The page as a terminal shows it: links as "Snapping (snapping)", no pictures and no emphasis.
 QString plainText(const ManualPage& page);
 
+/// Markdown as people read it.
+QString withoutComments(QString markdown);
+
+/// The link to the page of an algorithm: "skala.md".
+QString pageLink(const clipping::Algorithm& algorithm);
 /// The page of an algorithm in resources/algorithms/KEY.md, in Markdown; without a page, the
 /// description in the algorithm's row. A line {published code} or {corrected code} of the file is
 /// replaced by the library's pseudo-code of that form.

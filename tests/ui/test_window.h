@@ -74,16 +74,22 @@ inline void waitForFinalSize(const QWidget& panel)
     }
 }
 
+/// Settings and a home in a folder of the test, and the light theme.
+inline void liveIn(const QTemporaryDir& folder)
+{
+    qputenv("HOME", folder.path().toUtf8()); // new drawings are exported to it
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+    QCoreApplication::setOrganizationName("Clearcut");
+    QCoreApplication::setApplicationName("Clearcut");
+    applyTheme(*qApp, Theme::Light);
+}
+
 class TestWindow {
 public:
     TestWindow()
     {
-        qputenv("HOME", folder.path().toUtf8()); // new drawings are exported to it
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
-        QCoreApplication::setOrganizationName("Clearcut");
-        QCoreApplication::setApplicationName("Clearcut");
-        applyTheme(*qApp, Theme::Light);
+        liveIn(folder);
         window = windowWithMenus();
         auto prepared = std::make_unique<PreparedAnswers>(*window);
         answers = prepared.get();

@@ -30,19 +30,24 @@ bool isPrivate(const QFileInfo& folder)
 
 } // namespace
 
-QString socketOfProgram()
+QString socketIn(const QString& folder, const QByteArray& display)
 {
-    const QString folder = qEnvironmentVariable("XDG_RUNTIME_DIR");
-    const QString platform = QGuiApplication::platformName();
-    if (folder.isEmpty() || !isPrivate(QFileInfo(folder))
-        || (platform != QStringLiteral("xcb") && platform != QStringLiteral("wayland")))
+    if (folder.isEmpty() || !isPrivate(QFileInfo(folder)))
         return {};
-    const QByteArray display = platform.toUtf8() + qgetenv("DISPLAY") + qgetenv("WAYLAND_DISPLAY");
     constexpr int digits = 8; // a socket's path has at most 107 letters
     return QDir(folder).filePath(
         QStringLiteral("clearcut-")
         + QString::fromLatin1(
             QCryptographicHash::hash(display, QCryptographicHash::Sha256).toHex().left(digits)));
+}
+
+QString socketOfProgram()
+{
+    const QString platform = QGuiApplication::platformName();
+    if (platform != QStringLiteral("xcb") && platform != QStringLiteral("wayland"))
+        return {};
+    return socketIn(qEnvironmentVariable("XDG_RUNTIME_DIR"),
+                    platform.toUtf8() + qgetenv("DISPLAY") + qgetenv("WAYLAND_DISPLAY"));
 }
 
 HandedOver handOver(const QString& socket, const QStringList& files)

@@ -14,6 +14,8 @@ namespace ui {
 /// Where the running program listens: a socket in the user's runtime folder, one for each display.
 /// Empty, and nobody listens, if there is no such folder, or if others have access to it.
 QString socketOfProgram();
+/// The same in this folder for this display.
+QString socketIn(const QString& folder, const QByteArray& display);
 
 /// Asks the program that listens at `socket` to open files (absolute paths; none: to come to the
 /// front). Refused: it did not answer within two seconds, or is being quit.

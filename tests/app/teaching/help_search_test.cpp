@@ -104,6 +104,9 @@ private slots:
         for (const QString& typed : {QString(100'000, u'a'), QStringLiteral("[("),
                                      QStringLiteral("\\"), QString(QChar::Null)})
             QVERIFY(links(typed).size() < 5);
+        // Only the beginning of an endless text is sought.
+        const QString word = QStringLiteral("snapping") + QString(300, u' ');
+        QCOMPARE(links(word + "zebra"), links("snapping"));
     }
 };
 

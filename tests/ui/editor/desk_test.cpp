@@ -25,11 +25,7 @@ namespace {
 struct TestDesk {
     TestDesk()
     {
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
-        QCoreApplication::setOrganizationName("Clearcut");
-        QCoreApplication::setApplicationName("Clearcut");
-        applyTheme(*qApp, Theme::Light);
+        liveIn(folder);
         desk = std::make_unique<Desk>(Backend::Raster);
         QObject::connect(desk.get(), &Desk::made, [this](MainWindow& window) { prepare(window); });
         prepare(desk->current());

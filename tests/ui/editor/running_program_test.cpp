@@ -106,9 +106,18 @@ private slots:
 
     void foldersOfOthersAreNotUsed()
     {
-        const QTemporaryDir folder;
-        qputenv("XDG_RUNTIME_DIR", folder.path().toUtf8());
-        QVERIFY(socketOfProgram().isEmpty()); // there is no display
+        const QTemporaryDir folder; // the user's alone
+        const QString socket = socketIn(folder.path(), "xcb:1");
+        QVERIFY(socket.startsWith(folder.path() + '/'));
+        QCOMPARE(socketIn(folder.path(), "xcb:1"), socket);
+        QVERIFY(socketIn(folder.path(), "xcb:2") != socket);
+        QVERIFY(socketIn({}, "xcb:1").isEmpty());
+        QVERIFY(socketIn(folder.filePath("none"), "xcb:1").isEmpty());
+        const auto mine = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
+        for (const auto others : {QFile::ReadGroup, QFile::ExeOther, QFile::WriteOther}) {
+            QVERIFY(QFile::setPermissions(folder.path(), mine | others));
+            QVERIFY(socketIn(folder.path(), "xcb:1").isEmpty());
+        }
     }
 };
 

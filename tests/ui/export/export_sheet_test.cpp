@@ -17,7 +17,7 @@
 
 #include "tests/content_of.h"
 #include "tests/test_class.h"
-#include "tests/ui/test_window.h"
+#include "tests/ui/export/output_desk.h"
 
 namespace ui::export_export_sheet_test {
 
@@ -25,42 +25,21 @@ namespace {
 
 /// The editor with two layers: a red square of 20 mm with a stroke of 2 mm, and a line across the
 /// page; at a clip window of 40 × 30 mm.
-class Desk : public TestWindow {
+class Desk : public OutputDesk<ExportSheet> {
 public:
     Desk()
+        : OutputDesk(
+            "export", "logo.svg",
+            "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='80mm' "
+            "viewBox='0 0 100 80' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape'"
+            " xmlns:clearcut='urn:clearcut:1'><metadata>"
+            "<clearcut:window xmin='5' ymin='5' xmax='45' ymax='35'/></metadata>"
+            "<g inkscape:groupmode='layer' inkscape:label='Logo'>"
+            "<rect x='10' y='10' width='20' height='20' fill='#c00000' stroke='#c00000' "
+            "stroke-width='2'/></g>"
+            "<g inkscape:groupmode='layer' inkscape:label='Lines'>"
+            "<path d='M0 50H100' stroke='#000' fill='none'/></g></svg>")
     {
-        open(
-            file("logo.svg",
-                 "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='80mm' "
-                 "viewBox='0 0 100 80' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape'"
-                 " xmlns:clearcut='urn:clearcut:1'><metadata>"
-                 "<clearcut:window xmin='5' ymin='5' xmax='45' ymax='35'/></metadata>"
-                 "<g inkscape:groupmode='layer' inkscape:label='Logo'>"
-                 "<rect x='10' y='10' width='20' height='20' fill='#c00000' stroke='#c00000' "
-                 "stroke-width='2'/></g>"
-                 "<g inkscape:groupmode='layer' inkscape:label='Lines'>"
-                 "<path d='M0 50H100' stroke='#000' fill='none'/></g></svg>"));
-        show();
-    }
-    ExportSheet& openSheet()
-    {
-        run("export");
-        settle();
-        return sheet();
-    }
-    ExportSheet& sheet() { return static_cast<ExportSheet&>(*window->sheet()); }
-    void settle()
-    {
-        sheet().live().wait();
-        QCoreApplication::processEvents();
-    }
-    template <class Widget = QWidget>
-    Widget& part(const char* name)
-    {
-        auto* found = window->findChild<Widget*>(name);
-        if (!found)
-            qFatal("there is no %s", name);
-        return *found;
     }
     void press(const char* name)
     {

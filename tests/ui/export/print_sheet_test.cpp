@@ -11,7 +11,7 @@
 #include "tests/app/command_line/program.h"
 #include "tests/content_of.h"
 #include "tests/test_class.h"
-#include "tests/ui/test_window.h"
+#include "tests/ui/export/output_desk.h"
 
 namespace ui::export_print_sheet_test {
 
@@ -34,34 +34,13 @@ public:
 };
 
 /// The editor with a plan of 400 × 250 mm, and a line along 100 mm of it.
-class Desk : public TestWindow {
+class Desk : public OutputDesk<PrintSheet> {
 public:
     Desk()
+        : OutputDesk("print", "plan.svg",
+                     "<svg xmlns='http://www.w3.org/2000/svg' width='400mm' height='250mm' "
+                     "viewBox='0 0 400 250'><path d='M20 60H120' stroke='#000' fill='none'/></svg>")
     {
-        open(file("plan.svg",
-                  "<svg xmlns='http://www.w3.org/2000/svg' width='400mm' height='250mm' "
-                  "viewBox='0 0 400 250'><path d='M20 60H120' stroke='#000' fill='none'/></svg>"));
-        show();
-    }
-    PrintSheet& openSheet()
-    {
-        run("print");
-        settle();
-        return sheet();
-    }
-    PrintSheet& sheet() { return static_cast<PrintSheet&>(*window->sheet()); }
-    void settle()
-    {
-        sheet().live().wait();
-        QCoreApplication::processEvents();
-    }
-    template <class Widget = QWidget>
-    Widget& part(const char* name)
-    {
-        auto* found = window->findChild<Widget*>(name);
-        if (!found)
-            qFatal("there is no %s", name);
-        return *found;
     }
     void press(const char* name)
     {
