@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/style/colour_choice.h"
+#include "ui/properties/colour_choice.h"
 #include "ui/tools/tool.h"
 
 #include <QLabel>

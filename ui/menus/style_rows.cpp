@@ -4,7 +4,7 @@
 #include "ui/editing/editing.h"
 #include "ui/look/text.h"
 #include "ui/menus/menu_rows.h"
-#include "ui/style/style_panel.h"
+#include "ui/properties/style_panel.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>

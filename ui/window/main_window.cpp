@@ -10,7 +10,7 @@
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
 #include "ui/microscope/microscope_page.h"
-#include "ui/style/stroke_row.h"
+#include "ui/properties/stroke_row.h"
 #include "ui/tiles/tiles_page.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/message_strip.h"

@@ -12,11 +12,11 @@
 #include "ui/docks/history_panel.h"
 #include "ui/docks/layers_panel.h"
 #include "ui/docks/line_panel.h"
-#include "ui/docks/selection_panel.h"
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
 #include "ui/look/text.h"
-#include "ui/style/style_panel.h"
+#include "ui/properties/selection_panel.h"
+#include "ui/properties/style_panel.h"
 
 namespace ui {
 

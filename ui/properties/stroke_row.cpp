@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/style/stroke_row.h"
+#include "ui/properties/stroke_row.h"
 
 #include "app/drawing/dash_patterns.h"
 #include "app/session/selected_texts.h"

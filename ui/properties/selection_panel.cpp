@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/docks/selection_panel.h"
+#include "ui/properties/selection_panel.h"
 
 #include "app/session/units.h"
-#include "ui/docks/node_fields.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
+#include "ui/properties/node_fields.h"
 #include "ui/widgets/buttons.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/reference_point.h"

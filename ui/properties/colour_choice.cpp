@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/style/colour_choice.h"
+#include "ui/properties/colour_choice.h"
 
 #include "app/document/styles_in_use.h"
 #include "app/session/recent_colours.h"

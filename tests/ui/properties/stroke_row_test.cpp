@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stroke in the bar across the top, and in the capsule of selected objects.
 #include "ui/bars/option_bar.h"
-#include "ui/style/stroke_row.h"
+#include "ui/properties/stroke_row.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/tool_list.h"
 
 #include "tests/test_class.h"
 #include "tests/ui/test_window.h"
 
-namespace style_stroke_row_test {
+namespace properties_stroke_row_test {
 
 using namespace ui;
 
@@ -126,7 +126,7 @@ private slots:
     }
 };
 
-} // namespace style_stroke_row_test
+} // namespace properties_stroke_row_test
 
-TEST_CLASS(style_stroke_row_test::StrokeRowTest, Widgets)
-#include "tests/ui/style/stroke_row_test.moc"
+TEST_CLASS(properties_stroke_row_test::StrokeRowTest, Widgets)
+#include "tests/ui/properties/stroke_row_test.moc"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/style/style_panel.h"
+#include "ui/properties/style_panel.h"
 #include "ui/widgets/popup.h"
 
 namespace ui {

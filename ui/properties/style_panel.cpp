@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/style/style_panel.h"
+#include "ui/properties/style_panel.h"
 
 #include "app/base/numbers.h"
 #include "app/document/styles_in_use.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/recent_colours.h"
 #include "ui/bars/option_bar.h"
-#include "ui/style/style_popup.h"
+#include "ui/properties/style_popup.h"
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/swatches.h"
@@ -17,7 +17,7 @@
 using app::Colour;
 using app::Style;
 
-namespace ui::style_style_test {
+namespace ui::properties_style_test {
 
 // Style by mouse and keys: colours, stroke, fill, eyedropper, copy and paste.
 class StyleTest : public QObject {
@@ -406,7 +406,7 @@ private slots:
     }
 };
 
-} // namespace ui::style_style_test
+} // namespace ui::properties_style_test
 
-TEST_CLASS(ui::style_style_test::StyleTest, Widgets)
-#include "tests/ui/style/style_test.moc"
+TEST_CLASS(ui::properties_style_test::StyleTest, Widgets)
+#include "tests/ui/properties/style_test.moc"

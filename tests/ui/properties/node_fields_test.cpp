@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/docks/node_fields.h"
-#include "ui/docks/selection_panel.h"
+#include "ui/properties/node_fields.h"
+#include "ui/properties/selection_panel.h"
 #include "ui/widgets/length_field.h"
 
 #include <QAbstractButton>
@@ -10,7 +10,7 @@
 #include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
 
-namespace docks_node_fields_test {
+namespace properties_node_fields_test {
 
 using namespace ui;
 
@@ -135,7 +135,7 @@ private slots:
     }
 };
 
-} // namespace docks_node_fields_test
+} // namespace properties_node_fields_test
 
-TEST_CLASS(docks_node_fields_test::NodeFieldsTest, Widgets)
-#include "tests/ui/docks/node_fields_test.moc"
+TEST_CLASS(properties_node_fields_test::NodeFieldsTest, Widgets)
+#include "tests/ui/properties/node_fields_test.moc"

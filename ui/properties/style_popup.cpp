@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/style/style_popup.h"
+#include "ui/properties/style_popup.h"
 
 #include "ui/look/look.h"
 #include "ui/look/text.h"

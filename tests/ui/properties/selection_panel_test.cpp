@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/docks/selection_panel.h"
+#include "ui/properties/selection_panel.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/reference_point.h"
 #include "ui/widgets/unit_box.h"
@@ -14,7 +14,7 @@
 #include "tests/test_class.h"
 #include "tests/ui/test_window.h"
 
-namespace docks_selection_panel_test {
+namespace properties_selection_panel_test {
 
 using namespace ui;
 
@@ -153,7 +153,7 @@ private slots:
     }
 };
 
-} // namespace docks_selection_panel_test
+} // namespace properties_selection_panel_test
 
-TEST_CLASS(docks_selection_panel_test::SelectionPanelTest, Widgets)
-#include "tests/ui/docks/selection_panel_test.moc"
+TEST_CLASS(properties_selection_panel_test::SelectionPanelTest, Widgets)
+#include "tests/ui/properties/selection_panel_test.moc"

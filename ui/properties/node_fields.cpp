@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/docks/node_fields.h"
+#include "ui/properties/node_fields.h"
 
 #include "app/base/keys_in_use.h"
 #include "ui/look/look.h"
