@@ -17,9 +17,9 @@ namespace {
 /// Goes to the panel, or opens it below its button.
 void openStyle(MainWindow& window)
 {
-    if (!window.showsPanel("style"))
+    if (!window.showsPanel("properties"))
         return window.optionBar().openStyle();
-    window.raisePanel("style");
+    window.raisePanel("properties");
     for (StylePanel* panel : window.findChildren<StylePanel*>())
         if (panel->isVisible())
             panel->focusFirst();

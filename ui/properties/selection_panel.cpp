@@ -15,7 +15,7 @@
 namespace ui {
 namespace {
 
-constexpr int leastFieldWidth = 56, leastAngleWidth = 43, betweenRows = 4; // pixels
+constexpr int leastFieldWidth = 56, leastAngleWidth = 43, rowDistance = 4; // pixels
 
 } // namespace
 
@@ -25,7 +25,6 @@ SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
 {
     pages_->addWidget(makeObjects());
     pages_->addWidget(nodes_);
-    pages_->addWidget(new QWidget);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &SelectionPanel::follow);
@@ -50,7 +49,7 @@ QWidget* SelectionPanel::makeObjects()
     auto* column = new QVBoxLayout(objects);
     column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
                                space::labelToField);
-    column->setSpacing(betweenRows);
+    column->setSpacing(rowDistance);
     column->addLayout(makeNumbers());
     return objects;
 }
@@ -85,7 +84,7 @@ QLayout* SelectionPanel::makeNumbers()
     constexpr std::size_t ofBox = 4;
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(space::labelToField);
-    grid->setVerticalSpacing(betweenRows);
+    grid->setVerticalSpacing(rowDistance);
     auto* below = new QHBoxLayout;
     below->setSpacing(space::labelToField);
     for (const app::SelectionNumber& number : app::selectionNumbers()) {
@@ -125,13 +124,10 @@ void SelectionPanel::follow()
     if (session_.nodes.someSelected()) {
         pages_->setCurrentIndex(Nodes);
         nodes_->follow();
-    } else if (session_.selection().empty()) {
-        pages_->setCurrentIndex(Nothing);
     } else {
         pages_->setCurrentIndex(Objects);
         followObjects();
     }
-    emit titled(app::selectionText(session_));
 }
 
 void SelectionPanel::followObjects()

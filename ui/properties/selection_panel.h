@@ -17,8 +17,8 @@ class LengthField;
 class NodeFields;
 class ReferencePoint;
 
-/// The selection in numbers. With nothing selected it is empty, at the same height. While nodes are
-/// selected, it shows their numbers instead, at the same height. Each edit is one undo step.
+/// The selection in numbers. While nodes are selected, it shows their numbers instead, at the same
+/// height. Each edit is one undo step.
 class SelectionPanel : public QWidget {
     Q_OBJECT
 
@@ -29,7 +29,6 @@ signals:
     void entered(); ///< a number was entered: the focus returns to the canvas
     void refused(const QString& sentence);
     void taken(); ///< a field's value is valid again
-    void titled(const QString& remark);
 
 private:
     QWidget* makeObjects();
@@ -46,7 +45,7 @@ private:
     ReferencePoint* reference_;
     QToolButton* chain_; ///< checked: W and H keep their ratio
     NodeFields* nodes_;
-    enum Page { Objects, Nodes, Nothing };
+    enum Page { Objects, Nodes };
     QStackedLayout* pages_;
     QTimer soon_; ///< merges several changes in one event into one update
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/properties/style_panel.h"
 
-#include "app/base/numbers.h"
 #include "app/document/styles_in_use.h"
 #include "app/drawing/dash_patterns.h"
 #include "app/session/units.h"
@@ -33,12 +32,21 @@ QLabel* captionFor(QWidget* field, const QString& text)
     return caption;
 }
 
-QString remarkOn(const app::ObjectRanges& selection)
+/// Its place stays empty meanwhile, so that nothing below it moves.
+void showWithCaption(QWidget& field, bool shown)
 {
-    return selection.empty() ? Text::tr("of new objects")
-           : selection.size() == 1
-               ? Text::tr("of 1 object")
-               : Text::tr("of %1 objects").arg(app::countText(selection.size()));
+    for (QLabel* label : field.parentWidget()->findChildren<QLabel*>(Qt::FindDirectChildrenOnly))
+        if (label->buddy() == &field)
+            label->setVisible(shown);
+    field.setVisible(shown);
+}
+
+/// For showWithCaption().
+void keepPlace(QWidget& field)
+{
+    QSizePolicy policy = field.sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    field.setSizePolicy(policy);
 }
 
 QHBoxLayout* row()
@@ -193,6 +201,7 @@ QLayout* StylePanel::makePattern()
     line->addWidget(captionFor(pattern_, Text::tr("Pattern")));
     line->addWidget(pattern_, 1);
     line->addWidget(captionFor(miterLimit_, Text::tr("Limit")));
+    keepPlace(*miterLimit_);
     miterLimit_->setFixedWidth(miterLimit_->fontMetrics().horizontalAdvance(u'0') * 5 + 28);
     line->addWidget(miterLimit_);
     return line;
@@ -248,6 +257,10 @@ QLayout* StylePanel::makeFillRule()
         change([rule](app::Style& style) { style.fillRule = app::FillRule(rule); },
                Text::tr("Fill rule"));
     });
+    fillRule_->setToolTip(
+        Text::tr("What is filled where a path crosses itself. Nonzero: all that it winds "
+                 "around. Even-odd: every second area stays empty."));
+    keepPlace(*fillRule_);
     auto* line = row();
     line->addWidget(captionFor(fillRule_, Text::tr("Fill rule")));
     line->addStretch(1);
@@ -290,7 +303,6 @@ void StylePanel::follow()
     swatches_->mark(colour.value_or(std::nullopt));
     followLines(styles);
     followLayer();
-    emit titled(remarkOn(session_.selection()));
 }
 
 void StylePanel::followLines(std::span<const app::Style> styles)
@@ -318,13 +330,12 @@ void StylePanel::followLines(std::span<const app::Style> styles)
     show(*caps_, app::common(styles, &app::Style::cap));
     show(*joins_, app::common(styles, &app::Style::join));
     show(*fillRule_, app::common(styles, &app::Style::fillRule));
-    const bool filled =
-        std::ranges::any_of(styles, [](const app::Style& s) { return s.fill.has_value(); });
-    fillRule_->setEnabled(filled);
-    fillRule_->setToolTip(
-        filled ? Text::tr("What is filled where a path crosses itself. Nonzero: all that it winds "
-                          "around. Even-odd: every second area stays empty.")
-               : Text::tr("Nothing here has a fill. Choose a fill colour first."));
+    showWithCaption(*miterLimit_, std::ranges::any_of(styles, [](const app::Style& style) {
+        return style.join == app::Join::Miter;
+    }));
+    showWithCaption(*fillRule_, std::ranges::any_of(styles, [](const app::Style& style) {
+        return style.fill.has_value();
+    }));
 }
 
 void StylePanel::showEvent(QShowEvent* event)

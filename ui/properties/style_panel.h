@@ -18,8 +18,9 @@ class ToolList;
 
 /// The style of the selected objects, or of new ones if nothing is selected: colours of stroke and
 /// fill, width, dashes, caps, joins, fill rule. Each choice is one undo step. Where objects differ,
-/// it says "mixed" or marks no choice. Its height is always the same. While it is hidden it does
-/// nothing.
+/// it says "mixed" or marks no choice. What a style does not have is not shown: the miter limit
+/// without mitered joins, the fill rule without a fill. Its height is always the same. While it is
+/// hidden it does nothing.
 class StylePanel : public QWidget {
     Q_OBJECT
 
@@ -32,8 +33,7 @@ public:
 signals:
     void entered(); ///< a value was entered: the focus returns to the canvas
     void refused(const QString& sentence);
-    void taken();                       ///< a field's value is valid again
-    void titled(const QString& remark); ///< whose style it is
+    void taken(); ///< a field's value is valid again
     void eyedropperStarted();
 
 protected:

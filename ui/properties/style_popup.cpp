@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/properties/style_popup.h"
 
+#include "app/base/numbers.h"
+#include "app/session/session.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 
@@ -9,27 +11,37 @@
 #include <QVBoxLayout>
 
 namespace ui {
+namespace {
+
+QString titleFor(const app::ObjectRanges& selection)
+{
+    return selection.empty() ? Text::tr("Style of new objects")
+           : selection.size() == 1
+               ? Text::tr("Style of 1 object")
+               : Text::tr("Style of %1 objects").arg(app::countText(selection.size()));
+}
+
+} // namespace
 
 StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget* parent)
-    : Popup(Text::tr("Style"), parent), canvas_(canvas), panel_(new StylePanel(session, canvas))
+    : Popup(Text::tr("Style"), parent), session_(session), canvas_(canvas), title_(new QLabel),
+      panel_(new StylePanel(session, canvas))
 {
     setObjectName(QStringLiteral("style-popup"));
-    auto* title = new QLabel;
-    title->setFont(semiBold(font()));
-    title->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin, 0);
+    title_->setFont(semiBold(font()));
+    title_->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin, 0);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->setSizeConstraint(QLayout::SetFixedSize);
-    column->addWidget(title);
+    column->addWidget(title_);
     column->addWidget(panel_);
-    connect(panel_, &StylePanel::titled, title,
-            [title](const QString& remark) { title->setText(Text::tr("Style %1").arg(remark)); });
     connect(panel_, &StylePanel::eyedropperStarted, this, &QWidget::close);
 }
 
 void StylePopup::open(QWidget& below)
 {
+    title_->setText(titleFor(session_.selection()));
     panel_->follow(); // so that it opens in its size
     openBelow(below);
     panel_->focusFirst();

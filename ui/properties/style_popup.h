@@ -4,6 +4,8 @@
 #include "ui/properties/style_panel.h"
 #include "ui/widgets/popup.h"
 
+class QLabel;
+
 namespace ui {
 
 /// The panel Style as a small window below a button. Undo and Redo work in it.
@@ -21,7 +23,9 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
+    app::Session& session_;
     Canvas& canvas_;
+    QLabel* title_;
     StylePanel* panel_;
 };
 

@@ -8,8 +8,7 @@
 #include "ui/docks/history_panel.h"
 #include "ui/docks/line_panel.h"
 #include "ui/docks/window_panel.h"
-#include "ui/properties/selection_panel.h"
-#include "ui/properties/style_panel.h"
+#include "ui/properties/properties_panel.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_layout.h"
 #include "ui/window/start.h"
@@ -45,15 +44,12 @@ void MainWindow::connectPanels()
     connect(panels_.cutEdges, &CutOptionsBox::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(canvas_, &Canvas::refused, strip_, &MessageStrip::refuse);
     connect(canvas_, &Canvas::taken, strip_, &MessageStrip::withdrawRefusal);
-    connect(panels_.selection, &SelectionPanel::entered, canvas_, focusCanvas);
-    connect(panels_.selection, &SelectionPanel::refused, strip_, &MessageStrip::refuse);
-    connect(panels_.selection, &SelectionPanel::taken, strip_, &MessageStrip::withdrawRefusal);
+    connect(panels_.properties, &PropertiesPanel::entered, canvas_, focusCanvas);
+    connect(panels_.properties, &PropertiesPanel::refused, strip_, &MessageStrip::refuse);
+    connect(panels_.properties, &PropertiesPanel::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(panels_.history, &HistoryPanel::stepWanted, canvas_, &Canvas::goToStep,
             Qt::QueuedConnection); // the list is still changing its current row
     connect(panels_.history, &HistoryPanel::clicked, canvas_, focusCanvas);
-    connect(panels_.style, &StylePanel::entered, canvas_, focusCanvas);
-    connect(panels_.style, &StylePanel::refused, strip_, &MessageStrip::refuse);
-    connect(panels_.style, &StylePanel::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(panels_.costMap, &CostMapPanel::told, this, &MainWindow::tell);
     const auto look = [this](const clipping::Window& place) {
         canvas_->go(app::lookingAt(canvas_->view(), place, session_.window()));

@@ -15,25 +15,22 @@
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
 #include "ui/look/text.h"
-#include "ui/properties/selection_panel.h"
-#include "ui/properties/style_panel.h"
+#include "ui/properties/properties_panel.h"
 
 namespace ui {
 
 Panels::Panels(app::Session& session, Canvas& canvas)
     : start(new StartPanel), algorithm(new AlgorithmPanel(session)),
       window(new WindowPanel(session)), cutEdges(new CutOptionsBox(session)),
-      selection(new SelectionPanel(session)), style(new StylePanel(session, canvas)),
-      line(new LinePanel(session)), layers(new LayersPanel(session)),
-      history(new HistoryPanel(session.history)), compare(new ComparePanel(session)),
-      difference(new DifferencePanel(session)), costMap(new CostMapPanel(session)),
-      exactness(new ExactnessPanel(session)),
+      properties(new PropertiesPanel(session, canvas)), line(new LinePanel(session)),
+      layers(new LayersPanel(session)), history(new HistoryPanel(session.history)),
+      compare(new ComparePanel(session)), difference(new DifferencePanel(session)),
+      costMap(new CostMapPanel(session)), exactness(new ExactnessPanel(session)),
       docks{.start = new Dock("start", Text::tr("Start"), start),
             .narrow = {new Dock("algorithm", Text::tr("Algorithm"), algorithm),
                        new Dock("window", Text::tr("Clip windows"), window),
                        new Dock("cut-edges", Text::tr("Cut edges"), cutEdges),
-                       new Dock("selection", Text::tr("Selection"), selection),
-                       new Dock("style", Text::tr("Style"), style),
+                       new Dock("properties", Text::tr("Properties"), properties),
                        new Dock("line", Text::tr("Line"), line),
                        new Dock("layers", Text::tr("Layers"), layers),
                        new Dock("history", Text::tr("History"), history)},
@@ -55,10 +52,9 @@ void Panels::nameSections()
         QObject::connect(panel, titled, dock(key), &Dock::setRemark);
         dock(key)->setRemark(panel->title());
     };
-    QObject::connect(selection, &SelectionPanel::titled, dock("selection"), &Dock::setRemark);
-    QObject::connect(style, &StylePanel::titled, dock("style"), &Dock::setRemark);
     remark(window, &WindowPanel::titled, "window");
     remark(cutEdges, &CutOptionsBox::titled, "cut-edges");
+    remark(properties, &PropertiesPanel::titled, "properties");
     remark(history, &HistoryPanel::titled, "history");
     QObject::connect(line, &LinePanel::titled, dock("line"),
                      [line = dock("line")](const QString& name, const QString& where) {

@@ -42,9 +42,8 @@ class ExactnessPanel;
 class HistoryPanel;
 class LayersPanel;
 class LinePanel;
-class SelectionPanel;
+class PropertiesPanel;
 class StartPanel;
-class StylePanel;
 class WindowPanel;
 
 /// The panels of a window, each in its dock. The window that the docks are added to owns them.
@@ -55,8 +54,7 @@ struct Panels {
     AlgorithmPanel* algorithm;
     WindowPanel* window;
     CutOptionsBox* cutEdges;
-    SelectionPanel* selection;
-    StylePanel* style;
+    PropertiesPanel* properties;
     LinePanel* line;
     LayersPanel* layers;
     HistoryPanel* history;

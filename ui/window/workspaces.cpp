@@ -20,8 +20,8 @@ std::span<const Workspace> workspaces()
     static const std::array all{
         Workspace{.key = "workspace-draw",
                   .name = Text::tr("Draw"),
-                  .tip = Text::tr("Layers, numbers and style of the selection, history"),
-                  .column = {"layers", "selection", "style", "history"},
+                  .tip = Text::tr("Layers, properties of the selection, history"),
+                  .column = {"layers", "properties", "history"},
                   .folds = {"history"},
                   .draws = true},
         Workspace{.key = "workspace-cut",

@@ -34,7 +34,7 @@
 #include "ui/microscope/export_steps.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/properties/node_fields.h"
-#include "ui/properties/selection_panel.h"
+#include "ui/properties/properties_panel.h"
 #include "ui/properties/stroke_row.h"
 #include "ui/properties/style_panel.h"
 #include "ui/properties/style_popup.h"
@@ -154,8 +154,9 @@ inline std::vector<Maker> makers()
         {"start", {320, 500}, [](Desk&) { return new StartPanel; }, nullptr, false, true},
         {"algorithm", {320, 400}, onSession<AlgorithmPanel>},
         {"windows", {320, 330}, windowsAndEdges},
-        {"selection", {320, 200}, onSession<SelectionPanel>},
-        {"style", {320, 260}, [](Desk& desk) { return new StylePanel(desk.session, desk.canvas); }},
+        {"properties",
+         {320, 340},
+         [](Desk& desk) { return new PropertiesPanel(desk.session, desk.canvas); }},
         {"line", {320, 300}, onSession<LinePanel>},
         {"layers", {320, 300}, onSession<LayersPanel>},
         {"history", {320, 300}, [](Desk& desk) { return new HistoryPanel(desk.session.history); }},

@@ -5,7 +5,6 @@
 
 #include <QAbstractButton>
 #include <QLineEdit>
-#include <QSignalSpy>
 
 #include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
@@ -22,7 +21,7 @@ class NodeFieldsTest : public QObject {
     struct Panel : Hand {
         explicit Panel(app::Subpath path = wave()) : Hand({shape({path})})
         {
-            t.window->raisePanel("selection");
+            t.window->raisePanel("properties");
             doubleClick(path.start);
             waitForFinalSize(panel());
         }
@@ -124,14 +123,6 @@ private slots:
         QVERIFY(t.t.window->message().endsWith(u'.'));
         QCOMPARE(t.value("Length of handle In"), before);
         QCOMPARE(t.session.history.count(), 0);
-    }
-    void thePanelNamesTheNode()
-    {
-        Panel t;
-        const QSignalSpy titled(&t.panel(), &SelectionPanel::titled);
-        t.click({80, 50});
-        Panel::settle();
-        QCOMPARE(titled.last()[0].toString(), QString("node 2 of 3"));
     }
 };
 

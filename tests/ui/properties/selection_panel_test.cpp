@@ -9,7 +9,6 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
-#include <QSignalSpy>
 
 #include "tests/test_class.h"
 #include "tests/ui/test_window.h"
@@ -139,17 +138,6 @@ private slots:
         QVERIFY(t.field("Angle")->text().endsWith(u'°'));
         t.type("Angle", "90°");
         QVERIFY(std::abs(t.field("Height")->value() - 4) < 1e-9);
-    }
-    void aGroupIsNamed()
-    {
-        Panel t;
-        const QSignalSpy titled(&t.panel(), &SelectionPanel::titled);
-        t.session().select({0, 1});
-        t.settle();
-        QCOMPARE(titled.last()[0].toString(), QString("2 objects"));
-        t.run("group");
-        t.settle();
-        QCOMPARE(titled.last()[0].toString(), QString("group of 2 objects"));
     }
 };
 

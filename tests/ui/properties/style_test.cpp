@@ -100,10 +100,10 @@ private slots:
         p.session.select({0});
         p.open();
         auto* rule = p.named<Segments>("Fill rule");
-        QVERIFY(rule && !rule->isEnabled() && rule->toolTip().contains("fill"));
+        QVERIFY(rule && !rule->isVisible());
         app::setColour(p.session, &Style::fill, green);
         p.settle();
-        QVERIFY(rule->isEnabled());
+        QVERIFY(rule->isVisible());
         QCOMPARE(rule->chosen(), int(app::FillRule::NonZero));
         p.choose("Fill rule: Even-odd");
         QCOMPARE(p.style(0).fillRule, app::FillRule::EvenOdd);

@@ -76,7 +76,7 @@ inline void addMakers(std::vector<Screen>& screens)
     }));
     screens.push_back(
         screen("lesson-list", "lessons", [](Desk& desk) { desk.session.course.pause(); }));
-    for (const char* under : {"start", "lessons", "options", "status", "style", "tiles"})
+    for (const char* under : {"start", "lessons", "options", "status", "properties", "tiles"})
         screens.push_back(screen(
             qPrintable(under + QStringLiteral("-pointed")), under,
             [](Desk& desk) { desk.session.course.pause(); }, Pointed::Yes));
@@ -93,7 +93,7 @@ inline void addMakers(std::vector<Screen>& screens)
         desk.session.load({{}, {}});
     };
     for (const char* empty :
-         {"algorithm", "windows", "selection", "style", "line", "layers", "compare", "options"})
+         {"algorithm", "windows", "properties", "line", "layers", "compare", "options"})
         screens.push_back(screen(qPrintable(empty + QStringLiteral("-empty")), empty, nothing));
 }
 

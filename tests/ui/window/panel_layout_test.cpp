@@ -55,12 +55,11 @@ private slots:
         PlainWindow plain;
         plain.show();
         plain.layout->choose(findWorkspace("workspace-draw"));
-        PlainWindow::panel(plain.dock("style")).least = 700;
+        PlainWindow::panel(plain.dock("properties")).least = 830;
         plain.layout->fit();
-        QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("style"))
-                    .contains(&plain.dock("selection")));
-        QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("layers")).empty());
-        QVERIFY(plain.inFront().contains("layers"));
+        QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("properties"))
+                    .contains(&plain.dock("layers")));
+        QVERIFY(plain.inFront().contains("layers") && !plain.inFront().contains("properties"));
     }
     void everyWorkspaceShowsItsPanels()
     {
@@ -192,8 +191,8 @@ private slots:
                     .contains(&plain.dock("layers")));
         plain.layout->choose(findWorkspace("workspace-draw"));
         plain.dock("line").toggleViewAction()->trigger(); // above the folded history
-        QVERIFY(
-            plain.window.tabifiedDockWidgets(&plain.dock("line")).contains(&plain.dock("style")));
+        QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("line"))
+                    .contains(&plain.dock("properties")));
     }
     void everyWorkspaceHasItsOwnLayoutAndIsRemembered()
     {

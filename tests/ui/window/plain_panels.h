@@ -74,8 +74,8 @@ private:
 public:
     QMainWindow window;
     PanelDocks docks{plain("start"),
-                     {plain("algorithm"), plain("window"), plain("cut-edges"), plain("selection"),
-                      plain("style"), plain("line"), plain("layers"), plain("history")},
+                     {plain("algorithm"), plain("window"), plain("cut-edges"), plain("properties"),
+                      plain("line"), plain("layers"), plain("history")},
                      {plain("compare"), plain("difference")}};
     std::unique_ptr<PanelLayout> layout;
 };
