@@ -22,6 +22,9 @@ class ExportTest : public QObject {
     /// A picture of 21 × 11 mm at 300 dpi: nothing inside, the stroke around it.
     static QString faultOfPicture(const Player& player)
     {
+        const Table drawn = player.drawn();
+        if (drawn.size() != 2 || drawn[1].points.front() != app::Point(80, 90))
+            return "the other rectangle is not where it belongs";
         const QImage image(player.exported());
         if (image.size() != QSize(248, 130))
             return QString("%1: %2 × %3")
