@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "app/base/text.h"
+#include "app/document/paper.h"
 
 #include <QFileInfo>
 #include <QPageSize>
@@ -93,9 +94,10 @@ std::vector<const Format*> sheetFormats()
 
 QStringList papers()
 {
-    return {QStringLiteral("A5"),     QStringLiteral("A4"),    QStringLiteral("A3"),
-            QStringLiteral("A2"),     QStringLiteral("A1"),    QStringLiteral("A0"),
-            QStringLiteral("Letter"), QStringLiteral("Legal"), QStringLiteral("Tabloid")};
+    QStringList names;
+    for (const NamedPaper& paper : namedPapers())
+        names << latin(paper.name);
+    return names;
 }
 
 std::optional<Point> paperSize(const QString& name)

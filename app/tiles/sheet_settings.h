@@ -37,7 +37,7 @@ SheetSettings withOneFile(SheetSettings settings, bool oneFile);
 /// The formats that sheets can be written in, in menu order.
 std::vector<const Format*> sheetFormats();
 
-/// The papers that are offered for sheets, from small to large.
+/// The papers that are offered for sheets: those that a page may have.
 QStringList papers();
 /// The size of a paper ("A4", "Letter", in any case) in millimetres, portrait; empty: unknown.
 /// Other papers than those offered are known, too.
