@@ -5,10 +5,12 @@
 #include "app/base/text.h"
 #include "app/commands/rearrange_objects.h"
 #include "app/commands/set_containers.h"
+#include "app/commands/set_hidden.h"
 #include "app/document/hidden_objects.h"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace app {
 namespace {
@@ -124,6 +126,49 @@ void showOnlyLayer(Session& session, ContainerId layer)
         new SetContainers(session.document, isAlone ? all : alone,
                           isAlone ? Text::tr("Show all layers")
                                   : Text::tr("Show only layer %1").arg(tree[layer].name)));
+}
+
+namespace {
+
+Containers with(Containers tree, std::span<const ContainerId> ids, bool Container::*mark, bool on)
+{
+    for (const ContainerId id : ids) {
+        Container changed = tree[id];
+        changed.*mark = on;
+        tree = tree.with(changed);
+    }
+    return tree;
+}
+
+} // namespace
+
+void show(Session& session, const TreeRows& rows, bool visible)
+{
+    const Containers& tree = session.now().containers();
+    TreeRows changing;
+    std::ranges::copy_if(rows.containers, std::back_inserter(changing.containers),
+                         [&](ContainerId id) { return tree[id].visible != visible; });
+    changing.objects = without(rows.objects, tree.lockedRanges());
+    if (changing.size() == 0)
+        return;
+    Edit edit = changed(session.now(), changing.objects,
+                        [&](ObjectRow& object, StyleTable&) { object.hidden = !visible; });
+    if (!changing.containers.empty())
+        edit.containers = with(tree, changing.containers, &Container::visible, visible);
+    const QString text = visible ? Text::tr("Show %1 rows") : Text::tr("Hide %1 rows");
+    session.history.push(new EditCommand(SetHidden::row, session.document, std::move(edit),
+                                         text.arg(countText(rows.size()))));
+}
+
+void lock(Session& session, const TreeRows& rows, bool locked)
+{
+    const Containers& tree = session.now().containers();
+    Containers after = with(tree, rows.containers, &Container::locked, locked);
+    if (after == tree)
+        return;
+    const QString text = locked ? Text::tr("Lock %1 rows") : Text::tr("Unlock %1 rows");
+    session.history.push(new SetContainers(session.document, std::move(after),
+                                           text.arg(countText(rows.containers.size()))));
 }
 
 /// Layers beyond the limit of a file would be merged when the file is opened again.

@@ -26,6 +26,18 @@ void moveLayer(Session& session, ContainerId layer, LayerStep step);
 /// layers.
 void showOnlyLayer(Session& session, ContainerId layer);
 
+/// Rows of the tree of objects: layers and groups, and objects by themselves.
+struct TreeRows {
+    std::vector<ContainerId> containers{};
+    ObjectRanges objects{};
+
+    std::size_t size() const { return containers.size() + objects.size(); }
+};
+/// Shows or hides them all, as one step. Objects that are locked stay.
+void show(Session& session, const TreeRows& rows, bool visible);
+/// Locks or unlocks the layers and groups, as one step.
+void lock(Session& session, const TreeRows& rows, bool locked);
+
 } // namespace app
 
 // Undoable steps that fail if the document already has as many layers as it may have. Then nothing

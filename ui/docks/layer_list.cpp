@@ -51,7 +51,8 @@ bool LayerList::event(QEvent* event)
 
 void LayerList::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape && (dragged_ != 0 || dragsObjects_))
+    if (event->key() == Qt::Key_Escape
+        && (dragged_ != 0 || dragsObjects_ || (pressed_ && pressed_->onSign)))
         return endDrag();
     if (const LayerCommand* command = commandOf(*event)) {
         if (!command->enabled || command->enabled(current()))

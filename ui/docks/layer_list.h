@@ -30,6 +30,8 @@ public:
 
     app::ContainerId layerOf(const QModelIndex& index) const { return layers_->layerOf(index); }
     bool selects() const { return selects_; } ///< while it changes the selection itself
+    /// What an eye or padlock over which the pointer is being dragged is going to be.
+    std::optional<bool> sweptAs(const QModelIndex& index, int role) const;
     using PanelList::edit;
 
 signals:
@@ -54,12 +56,15 @@ private:
         QPoint at;
         QPersistentModelIndex row;
         bool picksAtRelease = false, showsMore = false, onSign = false;
+        std::optional<int> mark{}; ///< the role of an eye or padlock
+        int last = 0;              ///< the row to which the pointer was dragged from it
     };
     std::optional<Target> targetAt(const QPoint& at) const;
     std::optional<Target> targetOfObjects(const QPoint& at) const;
     Target below(const QModelIndex& index, int x) const;
     static Target inside(app::ContainerId layerOrGroup, std::size_t end, const QRect& row);
-    void releaseSign(QMouseEvent& event, const QModelIndex& row);
+    void sweep(const QPoint& at);
+    void releaseSign(QMouseEvent& event, const Press& pressed);
     bool renames(const QKeyEvent& event) const;
     void startDrag();
     void endDrag();

@@ -8,6 +8,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <utility>
 
 // The pointer in the list of layers: clicks, and what is dragged.
@@ -23,6 +24,8 @@ void LayerList::mousePressEvent(QMouseEvent* event)
         pressed_ = Press{at, index};
     if (pressed_ && LayerPainter::hitsSign(visualRect(index), index, at)) {
         pressed_->onSign = true; // an eye, say: the layer is not chosen
+        pressed_->mark = LayerPainter::markAt(visualRect(index), index, at);
+        pressed_->last = index.row();
         return;
     }
     QListView::mousePressEvent(event);
@@ -40,7 +43,7 @@ void LayerList::mouseMoveEvent(QMouseEvent* event)
 {
     const QPoint at = event->position().toPoint();
     if (pressed_ && pressed_->onSign)
-        return;
+        return sweep(at);
     if (pressed_ && dragged_ == 0 && !dragsObjects_
         && (at - pressed_->at).manhattanLength() >= QApplication::startDragDistance())
         startDrag();
@@ -48,6 +51,27 @@ void LayerList::mouseMoveEvent(QMouseEvent* event)
         return QListView::mouseMoveEvent(event);
     target_ = dragsObjects_ ? targetOfObjects(at) : targetAt(at);
     viewport()->update();
+}
+
+/// From an eye or padlock over those of other rows: all become as the first one does.
+void LayerList::sweep(const QPoint& at)
+{
+    const QModelIndex index = indexAt(at);
+    if (!pressed_->mark || !index.isValid() || index.row() == pressed_->last)
+        return;
+    pressed_->last = index.row();
+    viewport()->update();
+}
+
+std::optional<bool> LayerList::sweptAs(const QModelIndex& index, int role) const
+{
+    if (!pressed_ || pressed_->mark != role || !pressed_->row.isValid()
+        || pressed_->last == pressed_->row.row())
+        return std::nullopt;
+    const auto [first, last] = std::minmax({pressed_->row.row(), pressed_->last});
+    if (index.row() < first || index.row() > last)
+        return std::nullopt;
+    return !pressed_->row.data(role).toBool();
 }
 
 void LayerList::startDrag()
@@ -63,7 +87,7 @@ void LayerList::mouseReleaseEvent(QMouseEvent* event)
     const auto target = target_;
     const auto pressed = std::exchange(pressed_, std::nullopt);
     if (pressed && pressed->onSign)
-        return releaseSign(*event, pressed->row);
+        return releaseSign(*event, *pressed);
     if (layer == 0 && !objects) {
         QListView::mouseReleaseEvent(event);
         if (pressed && pressed->showsMore)
@@ -81,9 +105,17 @@ void LayerList::mouseReleaseEvent(QMouseEvent* event)
         app::moveLayer(session_, layer, target->place);
 }
 
-void LayerList::releaseSign(QMouseEvent& event, const QModelIndex& row)
+void LayerList::releaseSign(QMouseEvent& event, const Press& pressed)
 {
-    if (!row.isValid() || indexAt(event.position().toPoint()) != row)
+    const QModelIndex row = pressed.row;
+    if (!row.isValid())
+        return;
+    if (pressed.mark && pressed.last != row.row()) {
+        const auto [first, last] = std::minmax({row.row(), pressed.last});
+        return layers_->changeTogether(first, last, *pressed.mark,
+                                       !row.data(*pressed.mark).toBool());
+    }
+    if (indexAt(event.position().toPoint()) != row)
         return;
     QStyleOptionViewItem option;
     initViewItemOption(&option);

@@ -311,6 +311,19 @@ bool LayerModel::show(std::size_t object, bool visible)
     return true;
 }
 
+void LayerModel::changeTogether(int first, int last, int role, bool on)
+{
+    app::TreeRows together;
+    for (int row = first; row <= last; ++row) {
+        const app::TreeRow& changed = rows_[std::size_t(row)];
+        if (changed.kind == Kind::Object)
+            together.objects.insert(changed.number);
+        else if (changed.kind != Kind::More)
+            together.containers.push_back(changed.container);
+    }
+    role == VisibleRole ? app::show(session_, together, on) : app::lock(session_, together, on);
+}
+
 void LayerModel::showOnly(const QModelIndex& index)
 {
     app::showOnlyLayer(session_, layerOf(index));

@@ -62,6 +62,8 @@ public:
     /// The objects of groups and objects in these rows that may be selected.
     app::ObjectRanges objectsOf(int first, int last) const;
 
+    /// Sets VisibleRole or LockedRole of these rows, as one step.
+    void changeTogether(int first, int last, int role, bool on);
     void showOnly(const QModelIndex& index); ///< hides the others, or shows all again
     bool addLayer(); ///< above all others; false: the drawing has too many layers
     bool mayRemove(app::ContainerId layer) const; ///< false for the last layer

@@ -9,6 +9,7 @@
 #include <QMouseEvent>
 
 #include <algorithm>
+#include <optional>
 
 namespace ui {
 namespace {
@@ -80,9 +81,8 @@ void drawKind(QPainter& painter, const QRect& row, const QModelIndex& index, con
     }
 }
 
-void drawLock(QPainter& painter, const QRect& row, const QModelIndex& index)
+void drawLock(QPainter& painter, const QRect& row, const QModelIndex& index, bool locked)
 {
-    const bool locked = index.data(Model::LockedRole).toBool();
     const bool pen = index.data(Model::PenRole).toBool();
     icon(locked ? "lock"
          : pen  ? "pencil"
@@ -121,11 +121,14 @@ void LayerPainter::paint(QPainter* painter, const QStyleOptionViewItem& given,
     }
     drawRowGround(*painter, option);
     const QVariant count = index.data(Model::CountRole);
-    const bool visible = index.data(Model::VisibleRole).toBool();
+    const auto marked = [&](int role) {
+        return list_.sweptAs(index, role).value_or(index.data(role).toBool());
+    };
+    const bool visible = marked(Model::VisibleRole);
     if (hasEye(index))
         drawEye(*painter, option.rect, visible);
     if (count.isValid())
-        drawLock(*painter, option.rect, index);
+        drawLock(*painter, option.rect, index, marked(Model::LockedRole));
     if (const QVariant open = index.data(Model::OpenRole); open.isValid())
         drawChevron(*painter, chevron(option.rect, index), open.toBool(), look.muted);
     drawKind(*painter, option.rect, index, look);
@@ -144,10 +147,19 @@ void LayerPainter::updateEditorGeometry(QWidget* editor, const QStyleOptionViewI
     editor->setGeometry(nameBox(option.rect, index));
 }
 
+std::optional<int> LayerPainter::markAt(const QRect& row, const QModelIndex& index,
+                                        const QPoint& at)
+{
+    if (hasEye(index) && hits(eye(row), at))
+        return Model::VisibleRole;
+    if (index.data(Model::CountRole).isValid() && hits(lock(row), at))
+        return Model::LockedRole;
+    return std::nullopt;
+}
+
 bool LayerPainter::hitsSign(const QRect& row, const QModelIndex& index, const QPoint& at)
 {
-    return (hasEye(index) && hits(eye(row), at))
-           || (index.data(Model::CountRole).isValid() && hits(lock(row), at))
+    return markAt(row, index, at)
            || (index.data(Model::OpenRole).isValid() && hits(chevron(row, index), at));
 }
 
@@ -166,23 +178,18 @@ bool LayerPainter::editorEvent(QEvent* event, QAbstractItemModel* model,
         layers.setOpen(index, !open.toBool());
         return true;
     }
+    const auto mark = markAt(option.rect, index, at);
     const bool isContainer = index.data(Model::CountRole).isValid();
-    if (!isContainer)
-        return hasEye(index) && hits(eye(option.rect), at)
-               && model->setData(index, !index.data(Model::VisibleRole).toBool(),
-                                 Model::VisibleRole);
-    if (mouse.modifiers() & Qt::AltModifier && hits(eye(option.rect), at)) {
+    if (isContainer && mark == Model::VisibleRole && mouse.modifiers() & Qt::AltModifier) {
         layers.showOnly(index);
         return true;
     }
+    if (mark)
+        return model->setData(index, !index.data(*mark).toBool(), *mark);
     if (list_.layerOf(index) != 0 && hits(swatch(option.rect, index), at)) {
         emit list_.colourWanted(list_.layerOf(index));
         return true;
     }
-    for (const auto& [box, role] : {std::pair(eye(option.rect), Model::VisibleRole),
-                                    std::pair(lock(option.rect), Model::LockedRole)})
-        if (hits(box, at))
-            return model->setData(index, !index.data(role).toBool(), role);
     return false;
 }
 

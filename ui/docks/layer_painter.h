@@ -4,6 +4,8 @@
 #include "ui/docks/layer_model.h"
 #include "ui/widgets/panel_list.h"
 
+#include <optional>
+
 namespace ui {
 
 class LayerList;
@@ -25,6 +27,8 @@ public:
     static int leftOf(const QRect& row, int depth); ///< where the signs of that level begin
     /// Whether a press there is for a sign, not for the row.
     static bool hitsSign(const QRect& row, const QModelIndex& index, const QPoint& at);
+    /// VisibleRole on an eye, LockedRole on a padlock.
+    static std::optional<int> markAt(const QRect& row, const QModelIndex& index, const QPoint& at);
 
 private:
     LayerList& list_;

@@ -220,6 +220,46 @@ private slots:
         const auto& session = panel.window->session();
         QVERIFY(session.now().containers()[session.now().containers().childrenOf(0)[2]].locked);
     }
+    void severalEyesAndPadlocksAreDraggedOver()
+    {
+        Panel panel;
+        const auto eye = [&](int row) {
+            return QPoint(panel.row(row).left() + space::dockMargin + 8,
+                          panel.row(row).center().y());
+        };
+        const auto lock = [&](int row) {
+            return QPoint(panel.row(row).right() - space::dockMargin - 8,
+                          panel.row(row).center().y());
+        };
+        const auto drag = [&](const QPoint& from, const QPoint& to) {
+            QWidget* const at = panel.list->viewport();
+            QTest::mousePress(at, Qt::LeftButton, {}, from);
+            QMouseEvent move(QEvent::MouseMove, to, at->mapToGlobal(to), Qt::NoButton,
+                             Qt::LeftButton, {});
+            QApplication::sendEvent(at, &move);
+        };
+        const auto release = [&](const QPoint& at) {
+            QTest::mouseRelease(panel.list->viewport(), Qt::LeftButton, {}, at);
+        };
+        auto& session = panel.window->session();
+        drag(eye(0), eye(1));
+        QCOMPARE(panel.tree(), "A B C"); // only shown until the release
+        release(eye(1));
+        QCOMPARE(panel.tree(), "A b c");
+        QCOMPARE(session.history.count(), 1);
+        QCOMPARE(session.history.undoText(), QString("Hide 2 rows"));
+        session.history.undo();
+        QCOMPARE(panel.tree(), "A B C");
+        drag(eye(2), eye(1));
+        QTest::keyClick(panel.list, Qt::Key_Escape);
+        release(eye(1));
+        QCOMPARE(panel.tree(), "A B C");
+        drag(lock(0), lock(2));
+        release(lock(2));
+        for (const app::ContainerId layer : session.now().containers().childrenOf(0))
+            QVERIFY(session.now().containers()[layer].locked);
+        QCOMPARE(session.history.undoText(), QString("Lock 3 rows"));
+    }
     void theMenuHasWhatApplies()
     {
         Panel panel;
