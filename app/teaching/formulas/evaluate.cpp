@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/formulas/evaluate.h"
+
+#include "app/teaching/formulas/code.h"
+#include "clipping/clamped.h"
+#include "clipping/exact/turn.h"
+#include "clipping/outcode.h"
+
+#include <bit>
+#include <cmath>
+
+namespace app::formulas {
+
+namespace {
+
+unsigned bitPattern(double value)
+{
+    if (!(value >= 0 && value < 0x1p32 && value == std::floor(value)))
+        throw Unreadable(text(value) + " is no pattern of bits");
+    return unsigned(value);
+}
+
+/// The nearest coordinate of the window.
+double heldCoordinate(double value, const Scope& scope)
+{
+    if (scope.axis < 0)
+        throw Unreadable("held(...) is no coordinate here");
+    const clipping::Window w = scope.window();
+    return clipping::clamped(value, w.min[scope.axis], w.max[scope.axis]);
+}
+
+/// Whether a point is beyond the edge of the step.
+bool isBeyondEdge(const glm::dvec2& p, const Scope& scope)
+{
+    if (scope.edge == clipping::Edge::NoEdge)
+        throw Unreadable("beyond(...) is of no edge here");
+    const auto axis = clipping::axisOf(scope.edge);
+    const double level = clipping::levelOf(scope.edge, scope.window());
+    return scope.edge == clipping::lowerEdge(axis) ? p[axis] < level : p[axis] > level;
+}
+
+/// The edge at which the variable got its value; NoEdge for anything else.
+clipping::Edge edgeAt(const Expression& variable, const Scope& scope)
+{
+    return variable.kind == Kind::Name ? scope.edgeOf(slotOf(variable, scope))
+                                       : clipping::Edge::NoEdge;
+}
+
+double sign(std::partial_ordering order)
+{
+    return std::is_lt(order) ? -1 : std::is_gt(order) ? 1 : 0;
+}
+
+double valueOfFunction(const Expression& e, const Scope& scope, clipping::OperationCounts* cost)
+{
+    const double first = valueOf(e.parts[0], scope, cost);
+    if (e.name == "abs")
+        return std::abs(first);
+    if (e.name == "sign")
+        return sign(std::partial_ordering(first <=> 0.0));
+    if (e.name == "held")
+        return heldCoordinate(first, scope);
+    const clipping::Edge edge = edgeAt(e.parts[0], scope);
+    if (e.name == "atEdge")
+        return edge != clipping::Edge::NoEdge;
+    if ((e.name == "vertical" || e.name == "edge") && edge == clipping::Edge::NoEdge)
+        throw Unreadable(e.name + "(...) is of no edge here");
+    if (e.name == "vertical")
+        return clipping::axisOf(edge) == 0;
+    if (e.name == "edge")
+        return clipping::levelOf(edge, scope.window());
+    const double x1 = scope.value(0), y1 = scope.value(1), x2 = scope.value(2), y2 = scope.value(3);
+    if (e.name == "yAt")
+        return clipping::crossingInIntegers<double>(x1, y1, x2, y2, first);
+    if (e.name == "xAt")
+        return clipping::crossingInIntegers<double>(y1, x1, y2, x2, first);
+    const double second = valueOf(e.parts[1], scope, cost);
+    if (e.name == "order")
+        return sign(clipping::orderInIntegers(x1, y1, x2, y2, first, second));
+    if (e.name == "side")
+        return clipping::turnInIntegers({x1, y1}, {x2, y2}, {x1, y1}, {first, second});
+    if (e.name == "beyond")
+        return isBeyondEdge({first, second}, scope);
+    if (e.name == "min")
+        return std::min(first, second);
+    if (e.name == "max")
+        return std::max(first, second);
+    return double(clipping::outcodeOf(glm::dvec2{first, second}, scope.window()));
+}
+
+/// Of two operands that are both looked at.
+double combined(Kind kind, double a, double b)
+{
+    switch (kind) {
+    case Kind::Sum:
+        return a + b;
+    case Kind::Difference:
+        return a - b;
+    case Kind::Product:
+        return a * b;
+    case Kind::Quotient:
+        return a / b;
+    case Kind::BitAnd:
+        return double(bitPattern(a) & bitPattern(b));
+    case Kind::BitOr:
+        return double(bitPattern(a) | bitPattern(b));
+    case Kind::Less:
+        return a < b;
+    case Kind::Greater:
+        return a > b;
+    case Kind::AtMost:
+        return a <= b;
+    case Kind::AtLeast:
+        return a >= b;
+    case Kind::Equal:
+        return a == b;
+    default:
+        return a != b;
+    }
+}
+
+} // namespace
+
+int slotOf(const Expression& variable, const Scope& scope)
+{
+    if (variable.kind == Kind::Name)
+        return variable.variables[0];
+    const double index = valueOf(variable.parts[0], scope);
+    if (!(index >= 0 && index < 16))
+        throw Unreadable("an index is " + text(index));
+    return variable.variables[std::size_t(index)];
+}
+
+double valueOf(const Expression& e, const Scope& scope, clipping::OperationCounts* cost)
+{
+    const auto part = [&](std::size_t i) { return valueOf(e.parts[i], scope, cost); };
+    if (cost && !isCopy(e))
+        add(*cost, operationOf(e, scope));
+    switch (e.kind) {
+    case Kind::Number:
+        return e.number;
+    case Kind::Name:
+    case Kind::Element:
+        return scope.value(slotOf(e, scope));
+    case Kind::Negative:
+        return -part(0);
+    case Kind::Complement:
+        return double(~bitPattern(part(0)));
+    case Kind::Not:
+        return part(0) == 0;
+    case Kind::And:
+        return part(0) != 0 && part(1) != 0;
+    case Kind::Or:
+        return part(0) != 0 || part(1) != 0;
+    case Kind::Choice:
+        return part(0) != 0 ? part(1) : part(2);
+    case Kind::Function:
+        return valueOfFunction(e, scope, cost);
+    case Kind::Call:
+        throw Unreadable(e.name + "(...) has no value of its own: tell what its lines do");
+    default:
+        return combined(e.kind, part(0), part(1));
+    }
+}
+
+bool same(double a, double b)
+{
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b)
+           || (std::isnan(a) && std::isnan(b));
+}
+
+} // namespace app::formulas
