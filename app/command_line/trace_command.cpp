@@ -198,8 +198,8 @@ Command traceCommand()
     return {
         "trace",
         "--line X1,Y1,X2,Y2 [OPTIONS]",
-        Text::tr("Shows step by step how an algorithm clips one line, as text, data, slides or an "
-                 "animated picture."),
+        Text::tr("Shows step by step how an algorithm clips one line, as text, data, slides, a web "
+                 "page or an animated picture."),
         {{{"a", "algorithm"},
           "A",
           Text::tr("Key or abbreviation of the algorithm; KEY:published is the form that "
@@ -223,7 +223,10 @@ Command traceCommand()
          {{"y", "y-axis"},
           "up|down",
           Text::tr("Direction in which y grows, in pictures and sentences (up).")},
-         {{"theme"}, "light|dark", Text::tr("Theme of the pictures (light).")},
+         {{"theme"},
+          "light|dark",
+          Text::tr("Theme of the pictures (light); a web page follows "
+                   "the desktop.")},
          {{"picture-only"}, {}, Text::tr("Pictures without sentence, pseudo-code and variables.")},
          {{"width"},
           "PIXELS",
@@ -236,6 +239,7 @@ Command traceCommand()
          "clearcut trace -a cb --line -160,-30,70,130 -w 'polygon:-100,-75 100,-75 0,90'",
          "clearcut trace -a cs:published --line 1,1,-1,-1 -w 0.1,0.1,3,3 -f json",
          "clearcut trace -a lb --line -160,-30,70,130 -o slides.pdf",
+         "clearcut trace -a lb --line -160,-30,70,130 -o steps.html",
          "clearcut trace -a nln --line -160,-30,70,130 -f svg -o frames/ --theme dark"},
         0,
         trace,

@@ -75,6 +75,7 @@ std::span<const TraceFormat> traceFormats()
         TraceFormat{"png", "png", Text::tr("PNG pictures, one for each step"), Files::OneAStep,
                     true, png},
         TraceFormat{"gif", "gif", Text::tr("Animated GIF picture"), Files::One, true, traceGif},
+        TraceFormat{"html", "html", Text::tr("Web page"), Files::One, false, traceHtml},
         TraceFormat{"text", "txt", Text::tr("Text"), Files::One, false, traceText},
         TraceFormat{"json", "json", Text::tr("JSON data"), Files::One, false, traceJson}};
     return all;

@@ -66,5 +66,6 @@ std::optional<QString> writeTrace(const QStringList& paths, std::span<const QByt
 QByteArray traceText(const TraceExport& trace, std::span<const std::size_t> steps);
 QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> steps);
 QByteArray traceGif(const TraceExport& trace, std::span<const std::size_t> steps);
+QByteArray traceHtml(const TraceExport& trace, std::span<const std::size_t> steps);
 
 } // namespace app

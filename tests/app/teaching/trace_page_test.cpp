@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/figure.h"
+#include "app/teaching/figure_svg.h"
+#include "app/teaching/near_frame.h"
+#include "app/teaching/trace_file.h"
+
+#include <QGuiApplication>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+#include "tests/verify.h"
+
+namespace teaching_trace_page_test {
+
+using namespace app;
+
+namespace {
+
+constexpr qsizetype mostBytes = 300'000;
+
+TraceExport traceOf(const Variant& variant,
+                    const clipping::Segment& line = {{-160, -30}, {70, 130}})
+{
+    TraceExport trace{.tracedLine = {variant, line, {{-100, -75}, {100, 75}}, YAxis::Up, {}},
+                      .narration = {}};
+    trace.narration = narrationOf(trace.tracedLine);
+    return trace;
+}
+TraceExport traceOf(const char* key, const clipping::Segment& line = {{-160, -30}, {70, 130}})
+{
+    return traceOf(*findVariant(QString::fromLatin1(key)), line);
+}
+
+QString pageOf(const TraceExport& trace)
+{
+    return QString::fromUtf8(traceBytes(trace, *findTraceFormat(u"html"))->front());
+}
+
+/// A step's figure as a picture by another program.
+QImage painted(const QByteArray& elements, const QSize& size, const QString& folder)
+{
+    QByteArray style = "*{fill:none;font-family:'DejaVu Sans'}";
+    for (const auto& [name, colour] : figureClasses(Ground::Light))
+        style += QByteArray(".f-") + name + "{fill:" + colour.name().toLatin1() + "}.s-" + name
+                 + "{stroke:" + colour.name().toLatin1() + '}';
+    const QString from = folder + "/figure.svg", to = folder + "/figure.png";
+    QFile file(from);
+    if (!file.open(QIODevice::WriteOnly))
+        return {};
+    file.write("<svg xmlns='http://www.w3.org/2000/svg' width='" + QByteArray::number(size.width())
+               + "' height='" + QByteArray::number(size.height()) + "'><style>" + style + "</style>"
+               + elements + "</svg>");
+    file.close();
+    return runProgram("rsvg-convert", {from, "-o", to}).code == 0 ? QImage(to) : QImage();
+}
+
+QImage paintedHere(const TraceStep& at, const QSize& size)
+{
+    QFont font = QGuiApplication::font();
+    font.setPixelSize(15);
+    QImage image(size, QImage::Format_ARGB32);
+    QPainter painter(&image);
+    paintStep(painter, at, nearFrame(at.tracedLine, size, font), figureColours(Ground::Light));
+    return image;
+}
+
+/// The mean difference of two pictures' pixels, of 255.
+double meanDifference(const QImage& a, const QImage& b)
+{
+    double sum = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+    return sum / (double(a.width()) * a.height());
+}
+
+} // namespace
+
+class TracePageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aPageOfEachFormNeedsNothingElseAndIsSmall()
+    {
+        static const QRegularExpression elsewhere(
+            "https?:|//\\w|url\\(|@import|src *=|<link|<iframe|fetch\\(|import\\(");
+        for (const Variant& variant : variants()) {
+            if (variant.misprint)
+                continue;
+            const TraceExport trace = traceOf(variant);
+            const QString page = pageOf(trace);
+            const QByteArray key = keyOf(variant).toUtf8();
+            const auto found = elsewhere.match(page);
+            VERIFY_OR_SAY(!found.hasMatch(), key + ": " + found.captured().toUtf8());
+            VERIFY_OR_SAY(page.toUtf8().size() <= mostBytes, key);
+            VERIFY_OR_SAY(page.contains("<!DOCTYPE html>") && page.contains("'none'"), key);
+        }
+    }
+    void everyStepIsOnThePage()
+    {
+        for (const char* key : {"cs", "lb:published", "nln", "md", "skala", "exact"}) {
+            const TraceExport trace = traceOf(key);
+            const QString page = pageOf(trace);
+            const auto& steps = trace.narration.steps;
+            QCOMPARE(page.count("<article"), qsizetype(steps.size()));
+            for (std::size_t i = 0; i < steps.size(); ++i) {
+                const QString article =
+                    page.section("<article", int(i) + 1, int(i) + 1).section("</article>", 0, 0);
+                QVERIFY(article.contains('>' + steps[i].sentence.toHtmlEscaped() + "</p>"));
+                QVERIFY(article.contains(QString("data-line=\"%1\"").arg(steps[i].line)));
+                QVERIFY(article.contains(QString("Step %1 of %2").arg(i + 1).arg(steps.size())));
+                for (const Variable& variable : steps[i].variables)
+                    QVERIFY2(article.contains("<th scope=\"row\">" + variable.name + "</th><td>"
+                                              + valueText(variable).toHtmlEscaped() + "</td>"),
+                             qPrintable(article));
+            }
+            for (const QString& line : trace.narration.code)
+                QVERIFY(page.contains("<li>" + line.toHtmlEscaped() + "</li>"));
+        }
+    }
+    /// 667 steps have no room: those in the middle are left out, and that is said.
+    void aLongTraceIsShortenedAndSaysSo()
+    {
+        const TraceExport trace = traceOf("ms:published", {{-160, -30}, {70.1, 130.7}});
+        QVERIFY(trace.narration.steps.size() > 200);
+        const QString page = pageOf(trace);
+        QVERIFY2(page.toUtf8().size() <= mostBytes, QByteArray::number(page.toUtf8().size()));
+        QVERIFY(page.toUtf8().size() > mostBytes / 2);
+        QCOMPARE(page.count("are not on this page"), 1);
+        const auto count = qsizetype(trace.narration.steps.size());
+        QVERIFY(page.contains("\"step-1\"") && page.contains(QString("\"step-%1\"").arg(count)));
+        static const QRegularExpression leftOut("Steps (\\d+) to (\\d+) are not");
+        const auto match = leftOut.match(page);
+        QCOMPARE(count - page.count("<article"),
+                 match.captured(2).toLongLong() - match.captured(1).toLongLong() + 1);
+        QVERIFY(!pageOf(traceOf("md")).contains("are not on this page"));
+    }
+    void hostileTextIsShownAsText()
+    {
+        TraceExport trace = traceOf("md");
+        const QString hostile = QStringLiteral("</script><img src=x onerror='a()'>\"&<!--");
+        trace.tracedLine.origin = hostile;
+        trace.tracedLine.unit = hostile;
+        trace.narration.code[2] = hostile;
+        for (NarratedStep& step : trace.narration.steps) {
+            step.sentence = hostile;
+            step.variables.front().name = hostile;
+        }
+        const QString page = pageOf(trace);
+        QVERIFY(page.contains(hostile.toHtmlEscaped()));
+        QVERIFY(!page.contains("<img") && !page.contains("<!--"));
+        QCOMPARE(page.count("</script>"), 1);
+        trace.narration.steps.clear();
+        trace.narration.refusal = hostile;
+        QVERIFY(!pageOf(trace).contains("<img"));
+    }
+    void aRefusedLineIsOneSentence()
+    {
+        const TraceExport trace = traceOf("md", {{std::nan(""), 0}, {std::nan(""), std::nan("")}});
+        QVERIFY(!trace.narration.refusal.isEmpty());
+        const QString page = pageOf(trace);
+        QCOMPARE(page.count(trace.narration.refusal.toHtmlEscaped()), 1);
+        QVERIFY(!page.contains("<article") && !page.contains("<nav"));
+    }
+    void oneStepAlone()
+    {
+        TraceExport trace = traceOf("md");
+        trace.only = 3;
+        const QString page = pageOf(trace);
+        QCOMPARE(page.count("<article"), 1);
+        QVERIFY(page.contains("\"step-4\""));
+    }
+    /// By librsvg, in the colours of the light ground.
+    void theFiguresAreThoseOfOtherFormats()
+    {
+        const QTemporaryDir folder;
+        const QSize size(480, 340);
+        int compared = 0;
+        for (TraceExport trace : {traceOf("cs"), traceOf("md", {{-3, 74}, {-2, 76}}),
+                                  traceOf("lb", {{-170, 40}, {-20, 150}}),
+                                  traceOf("cb", {{-1e9, -2e9}, {1e9, 1.5e9}})}) {
+            for (std::size_t step = 0; step < trace.narration.steps.size(); step += 4) {
+                const TraceStep at{trace.tracedLine, trace.narration, step};
+                const QImage theirs = painted(figureSvg(at, size), size, folder.path());
+                QCOMPARE(theirs.size(), size);
+                const double difference = meanDifference(theirs, paintedHere(at, size));
+                QVERIFY2(difference < 3, QByteArray::number(difference));
+                ++compared;
+            }
+        }
+        QVERIFY(compared > 10);
+    }
+    void theScriptIsRead()
+    {
+        const QString node = QStandardPaths::findExecutable(QStringLiteral("node"));
+        if (node.isEmpty())
+            QSKIP("Node is not installed, which reads the page's script");
+        const auto run = runProgram(node, {"--check", SOURCE_DIR "/resources/trace_page/page.js"});
+        QVERIFY2(run.code == 0, run.err);
+    }
+};
+
+} // namespace teaching_trace_page_test
+
+TEST_CLASS(teaching_trace_page_test::TracePageTest, Gui)
+#include "tests/app/teaching/trace_page_test.moc"
