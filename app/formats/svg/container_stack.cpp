@@ -7,17 +7,15 @@
 
 namespace app::svg {
 
-using Kind = Container::Kind;
-
 void ContainerStack::open(Container container)
 {
     Open open = open_.back();
     if (open.inGroup)
-        container.kind = Kind::Group;
+        container.kind = Container::Kind::Group;
     open.dissolved = dissolves(container);
     if (open.dissolved) {
         open.hidden = open.hidden || !container.visible;
-    } else if (container.kind == Kind::Layer) {
+    } else if (container.kind == Container::Kind::Layer) {
         if (atFirstLevel())
             closeDrawing();
         ++layers_;
@@ -28,7 +26,7 @@ void ContainerStack::open(Container container)
     open_.push_back(open);
     if (open.dissolved)
         return;
-    if (container.kind == Kind::Group && builder_.depth() == 0)
+    if (container.kind == Container::Kind::Group && builder_.depth() == 0)
         openDrawing();
     builder_.open(std::move(container));
 }
@@ -36,13 +34,13 @@ void ContainerStack::open(Container container)
 // The last layer is reserved for objects beyond the limit that are in no other layer.
 bool ContainerStack::dissolves(const Container& container)
 {
-    if (container.kind == Kind::Layer && layers_ + 1 >= Containers::mostLayers) {
+    if (container.kind == Container::Kind::Layer && layers_ + 1 >= Containers::mostLayers) {
         if (layers_ < Containers::mostLayers && atFirstLevel())
             closeDrawing();
         return mergesLayers_ = true;
     }
     const bool outside = builder_.depth() == 0; // a layer is opened around a group
-    const bool tooMany = container.kind == Kind::Group && groups_ == mostGroups;
+    const bool tooMany = container.kind == Container::Kind::Group && groups_ == mostGroups;
     if (!tooMany && (outside || builder_.canOpen()))
         return false;
     ++dissolved_;
