@@ -18,6 +18,7 @@ Format svgFormat();
 Format csvFormat();
 Format pdfFormat();
 Format pngFormat();
+Format dxfFormat();
 
 // THE CATALOGUE. To add a format, write its file in app/formats/, declare its function above, and
 // add it to the list below.
@@ -29,6 +30,7 @@ std::span<const Format> formats()
         csvFormat(),
         pdfFormat(),
         pngFormat(),
+        dxfFormat(),
     };
     // clang-format on
     return all;

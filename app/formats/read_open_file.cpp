@@ -31,9 +31,10 @@ std::optional<QString> faultToOpen(const QString& path)
 
 const Format* formatToRead(const QString& path)
 {
-    const bool compressed =
-        QFileInfo(path).suffix().compare(QStringLiteral("svgz"), Qt::CaseInsensitive) == 0;
-    return compressed ? findFormat(u"svg") : formatOfFile(path);
+    const QString ending = QFileInfo(path).suffix().toLower();
+    return ending == u"svgz"  ? findFormat(u"svg")
+           : ending == u"dwg" ? findFormat(u"dxf")
+                              : formatOfFile(path);
 }
 
 } // namespace app

@@ -15,7 +15,7 @@ Result<Imported> readOpenFile(QFileDevice& file, const Format& format);
 std::optional<QString> faultToOpen(const QString& path);
 
 /// The format for a file name extension, in any case. A compressed SVG drawing (.svgz) counts as
-/// SVG: the SVG reader says how to uncompress it.
+/// SVG, and a DWG drawing as DXF: their readers say how to convert them.
 const Format* formatToRead(const QString& path);
 
 } // namespace app

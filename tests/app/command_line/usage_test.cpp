@@ -175,23 +175,23 @@ private slots:
 
     void typesThatAreNotReadAreNamed()
     {
-        for (const char* name : {"plan.dxf", "plan"})
+        for (const char* name : {"plan.eps", "plan"})
             writeText(path(name), "0\nSECTION\n");
         const auto error = [&](const QString& name) {
             const auto run = clearcut({"convert", path(name), "-o", path("x.svg")});
             return run.code == 2 ? run.err : "exit code " + QByteArray::number(run.code);
         };
         const QByteArray readable = formatKeys(true);
-        const QByteArray dxf = error("plan.dxf"), none = error("plan");
-        QVERIFY2(dxf.contains("plan.dxf: Clearcut does not read files of the type dxf. It reads "
+        const QByteArray eps = error("plan.eps"), none = error("plan");
+        QVERIFY2(eps.contains("plan.eps: Clearcut does not read files of the type eps. It reads "
                               + readable + "; --from says which if the name does not."),
-                 dxf);
+                 eps);
         QVERIFY2(none.contains("plan: its name does not show its type. Give it with --from and one "
                                "of "
                                + readable + "."),
                  none);
-        QCOMPARE(app::readFile(path("plan.dxf")).error,
-                 "Cannot open " + path("plan.dxf")
+        QCOMPARE(app::readFile(path("plan.eps")).error,
+                 "Cannot open " + path("plan.eps")
                      + ": Clearcut does not read this type of file. It reads " + readable + ".");
     }
 
