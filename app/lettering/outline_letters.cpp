@@ -2,69 +2,17 @@
 #include "app/lettering/outline_letters.h"
 
 #include "app/document/path.h"
+#include "app/lettering/glyph_outlines.h"
 
 #include <QFont>
 #include <QGlyphRun>
-#include <QPainterPath>
 #include <QRawFont>
 #include <QTextLayout>
 
 #include <algorithm>
-#include <map>
-#include <span>
 
 namespace app {
 namespace {
-
-// Qt places letters to 1/64 pixel; a line of 10,000 letters must stay below 2^25 pixels.
-constexpr int pixelsPerEm = 1000;
-constexpr double usualCapital = 0.7; // of the em, for a font without capitals
-
-Point pointOf(const QPainterPath::Element& e) { return {e.x, e.y}; }
-
-/// The subpaths of a glyph. Qt ends each with a line to its start where it does not lie there.
-std::vector<Subpath> subpathsOf(const QPainterPath& glyph)
-{
-    std::vector<Subpath> paths;
-    for (int i = 0; i < glyph.elementCount(); ++i) {
-        const QPainterPath::Element e = glyph.elementAt(i);
-        if (e.isMoveTo()) {
-            paths.push_back({pointOf(e), {}, true});
-        } else if (e.isLineTo()) {
-            paths.back().segments.push_back({pointOf(e)});
-        } else {
-            const Point second = pointOf(glyph.elementAt(i + 1)),
-                        to = pointOf(glyph.elementAt(i + 2));
-            paths.back().segments.push_back({to, pointOf(e), second, true});
-            i += 2;
-        }
-    }
-    for (Subpath& path : paths)
-        if (!path.segments.empty() && !path.segments.back().curved
-            && path.segments.back().to == path.start)
-            path.segments.pop_back(); // a closed subpath has this line
-    std::erase_if(paths, [](const Subpath& path) { return path.segments.empty(); });
-    return paths;
-}
-
-std::vector<Subpath> frame(double width, double height)
-{
-    const auto ring = [](const Point& min, const Point& max) {
-        return std::vector<Point>{min, {max.x, min.y}, max, {min.x, max.y}};
-    };
-    const double margin = width / 8, pen = width / 12;
-    auto outer = ring({margin, -height}, {width - margin, 0});
-    auto inner = ring({margin + pen, pen - height}, {width - margin - pen, -pen});
-    std::ranges::reverse(inner); // a hole by the rule `nonzero`
-    std::vector<Subpath> paths;
-    for (const auto& corners : {outer, inner}) {
-        Subpath path{corners.front(), {}, true};
-        for (const Point& corner : std::span(corners).subspan(1))
-            path.segments.push_back({corner});
-        paths.push_back(std::move(path));
-    }
-    return paths;
-}
 
 QFont fontOf(const QString& family, const FontFace& face)
 {
@@ -83,8 +31,7 @@ public:
     OutlineWriter(const QString& family, const FontFace& face)
         : font_(fontOf(family, face)), raw_(QRawFont::fromFont(font_))
     {
-        const double capital = raw_.capHeight();
-        done.capital = capital > 0 ? capital : usualCapital * pixelsPerEm;
+        done.capital = capitalOf(raw_);
     }
 
     void write(QString text)
@@ -116,7 +63,7 @@ private:
             const auto indexes = run.glyphIndexes();
             const auto positions = run.positions();
             for (qsizetype i = 0; i < indexes.size(); ++i)
-                add(glyph(indexes[i]),
+                add(glyphs_.glyph(raw_, indexes[i]),
                     {positions[i].x(), positions[i].y() - line.ascent() - line.y() + baseline});
         }
     }
@@ -126,16 +73,6 @@ private:
             forEachPoint(path, [&](Point& p) { p += at; });
             done.paths.push_back(std::move(path));
         }
-    }
-    const std::vector<Subpath>& glyph(quint32 index)
-    {
-        const auto [known, isNew] = glyphs_.try_emplace(index);
-        if (!isNew)
-            return known->second;
-        known->second = subpathsOf(raw_.pathForGlyph(index));
-        if (index == 0 && known->second.empty()) // the font draws nothing for what it lacks
-            known->second = frame(raw_.advancesForGlyphIndexes({0}).first().x(), done.capital);
-        return known->second;
     }
     bool has(char32_t c) const { return raw_.supportsCharacter(c); }
     void name(const QString& text)
@@ -154,7 +91,7 @@ private:
 
     const QFont font_;
     const QRawFont raw_;
-    std::map<quint32, std::vector<Subpath>> glyphs_;
+    GlyphOutlines glyphs_;
 };
 
 } // namespace

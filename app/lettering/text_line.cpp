@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lettering/text_line.h"
+
+#include "app/document/path.h"
+
+#include <QFont>
+#include <QGlyphRun>
+#include <QRawFont>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+QFont lineFontOf(const LineFont& font, double pixelsPerUnit)
+{
+    QFont made(font.family);
+    made.setWeight(QFont::Weight(std::clamp(font.weight, 1, 1000)));
+    made.setItalic(font.italic);
+    made.setPixelSize(std::max(int(std::lround(font.size * pixelsPerUnit)), 1));
+    if (font.smallCapitals)
+        made.setCapitalization(QFont::SmallCaps);
+    if (font.letterSpacing != 0)
+        made.setLetterSpacing(QFont::AbsoluteSpacing, font.letterSpacing * pixelsPerUnit);
+    if (font.wordSpacing != 0)
+        made.setWordSpacing(font.wordSpacing * pixelsPerUnit);
+    made.setHintingPreference(QFont::PreferNoHinting);
+    made.setStyleStrategy(QFont::PreferOutline);
+    return made;
+}
+
+double largestSize(std::span<const TextLine::Span> spans)
+{
+    double size = 0;
+    for (const auto& span : spans)
+        size = std::max(size, span.font.size);
+    return size > 0 ? size : 1;
+}
+
+} // namespace
+
+LineMeasures measuresOf(const LineFont& font)
+{
+    const double unit = font.size / pixelsPerEm;
+    const QRawFont raw = QRawFont::fromFont(lineFontOf(font, 1 / unit));
+    return {raw.ascent() * unit, raw.descent() * unit, capitalOf(raw) * unit, raw.xHeight() * unit};
+}
+
+TextLine::TextLine(const QString& text, std::span<const Span> spans, bool rightToLeft)
+    : unit_(largestSize(spans) / pixelsPerEm), text_(text), layout_(std::make_unique<QTextLayout>())
+{
+    QList<QTextLayout::FormatRange> formats;
+    qsizetype from = 0;
+    for (const Span& span : spans) {
+        QTextCharFormat format;
+        format.setFont(lineFontOf(span.font, 1 / unit_));
+        formats << QTextLayout::FormatRange{int(from), int(span.length), format};
+        families_ << QRawFont::fromFont(format.font()).familyName();
+        from += span.length;
+    }
+    QTextOption option(Qt::AlignLeft | Qt::AlignAbsolute);
+    option.setWrapMode(QTextOption::NoWrap);
+    option.setUseDesignMetrics(true);
+    option.setTextDirection(rightToLeft ? Qt::RightToLeft : Qt::LeftToRight);
+    layout_->setText(text);
+    if (!spans.empty())
+        layout_->setFont(lineFontOf(spans.front().font, 1 / unit_));
+    layout_->setTextOption(option);
+    layout_->setFormats(formats);
+    layout_->beginLayout();
+    QTextLine line = layout_->createLine();
+    if (line.isValid())
+        line.setNumColumns(int(text.size()));
+    layout_->endLayout();
+}
+
+double TextLine::width() const
+{
+    return layout_->lineCount() > 0 ? layout_->lineAt(0).horizontalAdvance() * unit_ : 0;
+}
+
+std::pair<double, double> TextLine::reach(qsizetype first, qsizetype count) const
+{
+    if (layout_->lineCount() == 0)
+        return {0, 0};
+    const QTextLine line = layout_->lineAt(0);
+    const double a = line.cursorToX(int(first)), b = line.cursorToX(int(first + count));
+    return {std::min(a, b) * unit_, std::max(a, b) * unit_};
+}
+
+LineLetters TextLine::letters(qsizetype first, qsizetype count)
+{
+    LineLetters result;
+    if (layout_->lineCount() == 0 || count == 0)
+        return result;
+    const QTextLine line = layout_->lineAt(0);
+    const double baseline = line.y() + line.ascent();
+    for (const QGlyphRun& run : line.glyphRuns(int(first), int(count))) {
+        const QRawFont font = run.rawFont();
+        result.ofOneFont = result.ofOneFont && families_.contains(font.familyName());
+        GlyphOutlines& glyphs =
+            glyphs_[font.familyName() + font.styleName() + QString::number(font.pixelSize())];
+        const auto indexes = run.glyphIndexes();
+        const auto positions = run.positions();
+        for (qsizetype i = 0; i < indexes.size(); ++i) {
+            for (Subpath path : glyphs.glyph(font, indexes[i])) {
+                forEachPoint(path, [&](Point& p) {
+                    p = (p + Point{positions[i].x(), positions[i].y() - baseline}) * unit_;
+                });
+                result.paths.push_back(std::move(path));
+            }
+            if (indexes[i] == 0)
+                result.missing << text_.mid(first, count).simplified();
+        }
+    }
+    return result;
+}
+
+} // namespace app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/subpath.h"
+#include "app/lettering/glyph_outlines.h"
+
+#include <QStringList>
+#include <QTextLayout>
+
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace app {
+
+/// The font of a part of a line, as style sheets name it. Lengths are in any unit, the same for
+/// all; letters are as large in it.
+struct LineFont {
+    QString family; ///< one that is installed
+    int weight = 400;
+    bool italic = false, smallCapitals = false;
+    double size = 16; ///< of the em
+    double letterSpacing = 0, wordSpacing = 0;
+    friend bool operator==(const LineFont&, const LineFont&) = default;
+};
+
+/// Heights above the baseline; `descent` below it.
+struct LineMeasures {
+    double ascent = 0, descent = 0, capital = 0, xHeight = 0;
+};
+LineMeasures measuresOf(const LineFont& font);
+
+/// The letters of a part of a line, y down, from the start of the line's baseline.
+struct LineLetters {
+    std::vector<Subpath> paths{};
+    QStringList missing{}; ///< characters that no font has; boxes stand in their places
+    bool ofOneFont = true; ///< no letter is taken from another font than the one that was asked for
+};
+
+/// One line of text in one or several fonts, as Qt lays it out: with kerning, ligatures and both
+/// directions of writing. At most `longestText` characters. Needs a QGuiApplication; each line may
+/// be used in one thread.
+class TextLine {
+public:
+    struct Span {
+        qsizetype length;
+        LineFont font;
+    };
+    TextLine(const QString& text, std::span<const Span> spans, bool rightToLeft);
+
+    double width() const;
+    /// Where these characters begin and end, from the left end of the line.
+    std::pair<double, double> reach(qsizetype first, qsizetype count) const;
+    /// The first character after `index` that is not joined to it, as accents and surrogates are.
+    qsizetype nextLetter(qsizetype index) const { return layout_->nextCursorPosition(int(index)); }
+    LineLetters letters(qsizetype first, qsizetype count);
+
+private:
+    double unit_ = 1; ///< of the result in pixels
+    QString text_;
+    std::unique_ptr<QTextLayout> layout_;
+    std::map<QString, GlyphOutlines> glyphs_; ///< by family and style
+    QStringList families_;                    ///< that were asked for
+};
+
+} // namespace app
