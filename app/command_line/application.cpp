@@ -11,12 +11,13 @@
 namespace app {
 namespace {
 
-bool paints(const QStringList& arguments)
+Paints paintsOf(const QStringList& arguments)
 {
     const auto all = commands();
-    return std::ranges::any_of(all, [&](const Command& command) {
-        return command.paints && arguments.first() == QLatin1StringView(command.key);
+    const auto named = std::ranges::find_if(all, [&](const Command& command) {
+        return arguments.first() == QLatin1StringView(command.key);
     });
+    return named == all.end() ? Paints::Nothing : named->paints;
 }
 
 /// Qt tries them from left to right; a display that cannot be reached counts as none.
@@ -37,12 +38,13 @@ QByteArray platforms()
 std::unique_ptr<QCoreApplication> applicationFor(const QStringList& arguments, int& argc,
                                                  char** argv)
 {
-    if (!paints(arguments))
+    const Paints paints = paintsOf(arguments);
+    if (paints == Paints::Nothing)
         return std::make_unique<QCoreApplication>(argc, argv);
     // A command reports errors itself; Qt's own warnings concern displays that it does not need.
     QLoggingCategory::setFilterRules(
         QStringLiteral("qt.qpa.*=false\ndefault.warning=false\ndefault.critical=false"));
-    qputenv("QT_QPA_PLATFORM", platforms());
+    qputenv("QT_QPA_PLATFORM", paints == Paints::Letters ? "offscreen" : platforms());
     return std::make_unique<QGuiApplication>(argc, argv);
 }
 

@@ -138,7 +138,7 @@ Command benchCommand()
          "clearcut bench --measure classes,operations,accuracy"},
         0,
         bench,
-        true,
+        Paints::Pictures,
         {Text::tr("At most %1 lines and %2 runs; threads: at most %3 here.")
              .arg(countText(mostLines), countText(mostRuns), countText(mostThreads()))}};
 }

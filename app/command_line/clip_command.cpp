@@ -246,7 +246,7 @@ Command clipCommand()
              "clearcut clip - --from csv -w -100,-75,100,75 --to csv -o - < lines.csv"},
             1,
             clip,
-            false,
+            Paints::Letters,
             readingAndWritingLimits() << tableLimit()};
 }
 

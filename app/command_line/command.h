@@ -21,6 +21,10 @@ struct Option {
     QString meaning;
 };
 
+/// What a command needs of a QGuiApplication: fonts for texts in drawings, which need no display,
+/// or painting, perhaps with OpenGL.
+enum class Paints : std::uint8_t { Nothing, Letters, Pictures };
+
 /// One row of the catalogue of commands: `clearcut KEY …`. Data goes to stdout, everything else to
 /// stderr.
 struct Command {
@@ -31,9 +35,9 @@ struct Command {
     QStringList examples;                          ///< whole command lines
     qsizetype operands;                            ///< the number of arguments that are not options
     void (*run)(const ParsedArguments& arguments); ///< throws WrongUsage or Failure
-    bool paints = false;                           ///< needs fonts or OpenGL, so a QGuiApplication
-    QStringList limits{};                          ///< limits of its input, a sentence each
-    bool lastIsOptional = false;                   ///< the last operand may be left out
+    Paints paints = Paints::Nothing;
+    QStringList limits{};        ///< limits of its input, a sentence each
+    bool lastIsOptional = false; ///< the last operand may be left out
 };
 std::vector<Command> commands();
 

@@ -142,7 +142,7 @@ Command compareCommand()
              "clearcut compare - --from csv -w -100,-75,100,75 -a nln --ulps 0 -f csv < lines.csv"},
             1,
             compare,
-            false,
+            Paints::Letters,
             readingLimits() << tableCompareLimit()};
 }
 

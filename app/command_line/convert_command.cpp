@@ -46,7 +46,7 @@ Command convertCommand()
              "clearcut convert drawing.svg --layer Walls --fit-paper -o walls.pdf"},
             1,
             convert,
-            false,
+            Paints::Letters,
             readingAndWritingLimits()};
 }
 

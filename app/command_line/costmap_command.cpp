@@ -204,7 +204,7 @@ Command costmapCommand()
              "clearcut costmap -a nln:published -w 0,0,2,2 --from -1,1 -o - > nln.csv"},
             0,
             printCostMap,
-            true,
+            Paints::Pictures,
             {Text::tr("Coordinates: at most 1e150.")}};
 }
 

@@ -236,7 +236,7 @@ Command infoCommand()
             {"clearcut info drawing.svg"},
             1,
             inform,
-            false,
+            Paints::Letters,
             readingLimits()};
 }
 

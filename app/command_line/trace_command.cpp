@@ -243,7 +243,7 @@ Command traceCommand()
          "clearcut trace -a nln --line -160,-30,70,130 -f svg -o frames/ --theme dark"},
         0,
         trace,
-        true};
+        Paints::Pictures};
 }
 
 } // namespace app
