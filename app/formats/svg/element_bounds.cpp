@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bounding box of an element, to which its transform may refer.
+#include "app/formats/svg/element_bounds.h"
+
 #include "app/base/text.h"
 #include "app/cut/stroke_rings.h"
 #include "app/document/bezier.h"
@@ -36,18 +38,6 @@ void includeTurns(ElementBounds& bounds, const Bezier& curve, int axis)
             include(bounds, curve.at(t));
 }
 
-void include(ElementBounds& bounds, const Subpath& path)
-{
-    Point from = path.start;
-    include(bounds, from);
-    for (const PathSegment& segment : path.segments) {
-        include(bounds, segment.to);
-        for (int axis = 0; segment.curved && axis < 2; ++axis)
-            includeTurns(bounds, {from, segment.control1, segment.control2, segment.to}, axis);
-        from = segment.to;
-    }
-}
-
 // Adds what a stroke covers, without regard to dashes, beside its paths.
 void addStrokes(std::vector<Subpath>& paths, const Style& style)
 {
@@ -59,6 +49,18 @@ void addStrokes(std::vector<Subpath>& paths, const Style& style)
 }
 
 } // namespace
+
+void include(ElementBounds& bounds, const Subpath& path)
+{
+    Point from = path.start;
+    include(bounds, from);
+    for (const PathSegment& segment : path.segments) {
+        include(bounds, segment.to);
+        for (int axis = 0; segment.curved && axis < 2; ++axis)
+            includeTurns(bounds, {from, segment.control1, segment.control2, segment.to}, axis);
+        from = segment.to;
+    }
+}
 
 std::optional<Box> TreeDrawer::boundsOf(Node node, const Place& place, BoxOf of)
 {

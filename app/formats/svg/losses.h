@@ -32,8 +32,8 @@ inline constexpr LossKind script{QT_TRANSLATE_NOOP("Text", "script"),
                                  QT_TRANSLATE_NOOP("Text", "scripts")};
 inline constexpr LossKind gradient{QT_TRANSLATE_NOOP("Text", "gradient"),
                                    QT_TRANSLATE_NOOP("Text", "gradients"), false,
-                                   QT_TRANSLATE_NOOP("Text", "its first colour is used"),
-                                   QT_TRANSLATE_NOOP("Text", "their first colours are used")};
+                                   QT_TRANSLATE_NOOP("Text", "its mean colour is used"),
+                                   QT_TRANSLATE_NOOP("Text", "their mean colours are used")};
 inline constexpr LossKind pattern{QT_TRANSLATE_NOOP("Text", "pattern"),
                                   QT_TRANSLATE_NOOP("Text", "patterns")};
 inline constexpr LossKind mask{QT_TRANSLATE_NOOP("Text", "mask"),

@@ -2,25 +2,50 @@
 #include "app/formats/svg/paint.h"
 
 #include "app/formats/svg/colour.h"
-#include "app/formats/svg/refused.h"
+#include "app/formats/svg/colour_sum.h"
+#include "app/formats/svg/element_bounds.h"
+#include "app/formats/svg/gradient_reader.h"
+#include "app/formats/svg/spread_points.h"
+
+#include <algorithm>
 
 namespace app::svg {
 namespace {
 
-constexpr int mostGradientLinks = 50; // a gradient may take its colours from another gradient
-
-bool isGradient(const Tree& tree, Node node)
+Colour meanOfStops(const GradientStops& stops)
 {
-    const auto name = tree.name(node);
-    return name == "linearGradient" || name == "radialGradient";
+    constexpr int count = 64;
+    ColourSum sum;
+    for (int i = 0; i < count; ++i)
+        sum.add(colourAt(stops, (i + 0.5) / count), 1);
+    return sum.mean();
+}
+
+bool isPlain(const GradientStops& stops)
+{
+    return std::ranges::all_of(
+        stops, [&](const GradientStop& stop) { return stop.colour == stops.front().colour; });
+}
+
+// The box of points in the element's coordinates as a matrix from the unit square.
+Matrix boxOf(std::span<const Subpath> paths, const Matrix& toElement)
+{
+    ElementBounds bounds;
+    for (const Subpath& path : paths) {
+        Subpath own = path;
+        transform(own, toElement);
+        include(bounds, own);
+    }
+    const Point size = bounds.max - bounds.min;
+    return {size.x, 0, 0, size.y, bounds.min.x, bounds.min.y};
 }
 
 } // namespace
 
-Style Paints::style(const Properties& p, double opacity, double scale)
+Style Paints::style(const Properties& p, double opacity, double scale, const PaintedShape& shape)
 {
-    Style style{.stroke = colour(p.stroke, opacity * p.strokeOpacity, p),
-                .fill = colour(p.fill, opacity * p.fillOpacity, p),
+    Style style{.stroke = colour(p.stroke, opacity * p.strokeOpacity, p, shape, Part::Stroke),
+                .fill = colour(p.fill, opacity * p.fillOpacity, p, shape, Part::Fill),
                 .width = p.width * scale,
                 .miterLimit = p.miterLimit,
                 .dashOffset = p.dashOffset * scale,
@@ -33,7 +58,8 @@ Style Paints::style(const Properties& p, double opacity, double scale)
     return style;
 }
 
-std::optional<Colour> Paints::colour(const Paint& paint, double opacity, const Properties& p)
+std::optional<Colour> Paints::colour(const Paint& paint, double opacity, const Properties& p,
+                                     const PaintedShape& shape, Part part)
 {
     std::optional<Colour> colour;
     if (paint.kind == Paint::Kind::Solid)
@@ -41,19 +67,16 @@ std::optional<Colour> Paints::colour(const Paint& paint, double opacity, const P
     else if (paint.kind == Paint::Kind::Current)
         colour = p.colour;
     else if (paint.kind == Paint::Kind::Reference)
-        colour = referenced(paint, p);
+        colour = referenced(paint, p, shape, part);
     return colour ? std::optional(faded(*colour, opacity)) : std::nullopt;
 }
 
-std::optional<Colour> Paints::referenced(const Paint& paint, const Properties& p)
+std::optional<Colour> Paints::referenced(const Paint& paint, const Properties& p,
+                                         const PaintedShape& shape, Part part)
 {
     const Node node = tree_.findReference(paint.reference);
-    if (node != noNode && isGradient(tree_, node)) {
-        const Gradient& found = gradient(node);
-        if (!found.plain)
-            report_.add(losses::gradient);
-        return found.first;
-    }
+    if (node != noNode && isGradient(tree_, node))
+        return gradientColour(node, p, shape, part);
     if (node != noNode && tree_.name(node) == "pattern")
         report_.add(losses::pattern);
     else if (node != noNode)
@@ -65,26 +88,40 @@ std::optional<Colour> Paints::referenced(const Paint& paint, const Properties& p
                                                     : std::nullopt;
 }
 
-const Paints::Gradient& Paints::gradient(Node node)
+std::optional<Colour> Paints::gradientColour(Node node, const Properties& p,
+                                             const PaintedShape& shape, Part part)
 {
-    const auto [at, isNew] = gradients_.try_emplace(node);
-    Gradient& result = at->second;
-    if (!isNew)
-        return result;
-    int stops = 0;
-    for (int link = 0; link < mostGradientLinks && node != noNode && stops == 0; ++link) {
-        for (const Node child : Children(tree_, node)) {
-            if (tree_.name(child) != "stop" || stops++ > 0)
-                continue;
-            const Properties p = styles_.of(child, styles_.of(node, {}, {}), {});
-            const Colour colour =
-                p.stopColour.kind == Paint::Kind::Current ? p.colour : p.stopColour.colour;
-            result.first = faded(colour, p.stopOpacity);
-        }
-        node = tree_.findReference(hrefOf(tree_, node));
-    }
-    result.plain = stops <= 1;
-    return result;
+    const auto [at, isNew] = stops_.try_emplace(node);
+    const GradientStops& stops = at->second;
+    if (isNew)
+        at->second = gradientStops(tree_, node, styles_, report_);
+    if (stops.empty())
+        return std::nullopt;
+    if (isPlain(stops))
+        return colourOf(stops.front().colour);
+    report_.add(losses::gradient);
+    const GradientShape lies = gradientShape(tree_, node, shape.lengths);
+    const auto toElement = inverse(shape.matrix);
+    const Matrix box = lies.inBox && toElement ? boxOf(shape.paths, *toElement) : Matrix{};
+    const auto toGradient = inverse(shape.matrix * box * lies.transform);
+    if (!toGradient)
+        return meanOfStops(stops);
+    const auto points = part == Part::Fill ? pointsInside(shape.paths, p.fillRule, rows())
+                                           : pointsAlong(shape.paths, rows());
+    ColourSum sum;
+    for (const SpreadPoint& point : points)
+        sum.add(colourAt(stops, placeAlong(lies, (*toGradient)(point.at)).value_or(1)),
+                point.weight);
+    return points.empty() ? meanOfStops(stops) : sum.mean();
+}
+
+// A drawing of a hundred thousand of them should not take a minute.
+int Paints::rows()
+{
+    constexpr int fine = 48, coarse = 12, least = 4;
+    constexpr std::size_t few = 2'000, many = 20'000;
+    ++shapes_;
+    return shapes_ <= few ? fine : shapes_ <= many ? coarse : least;
 }
 
 } // namespace app::svg

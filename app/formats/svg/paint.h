@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/formats/svg/gradient.h"
 #include "app/formats/svg/report.h"
 #include "app/formats/svg/style.h"
 
+#include <span>
 #include <unordered_map>
 
 namespace app::svg {
 
-/// Resolves fills and strokes to plain colours: a gradient is replaced by its first colour and
-/// reported; a pattern is removed.
+/// What is painted, for paints whose colours differ from place to place.
+struct PaintedShape {
+    std::span<const Subpath> paths{}; ///< in the document's coordinates
+    Matrix matrix{};                  ///< to these from the element's
+    Lengths lengths{};                ///< of the element
+};
+
+/// Resolves fills and strokes to plain colours: a gradient is replaced by its mean colour on the
+/// shape and reported; a pattern is removed.
 class Paints {
 public:
     Paints(const Tree& tree, Styles& styles, Report& report)
@@ -19,22 +28,25 @@ public:
 
     /// The style, as far as it does not depend on a transform: only widths and dashes are
     /// multiplied by `scale`.
-    Style style(const Properties& properties, double opacity, double scale);
+    Style style(const Properties& properties, double opacity, double scale,
+                const PaintedShape& shape = {});
 
 private:
-    std::optional<Colour> colour(const Paint& paint, double opacity, const Properties& properties);
-    std::optional<Colour> referenced(const Paint& paint, const Properties& properties);
-
-    struct Gradient {
-        std::optional<Colour> first;
-        bool plain = false; ///< whether it has a single colour, so that nothing is lost
-    };
-    const Gradient& gradient(Node node);
+    /// How a paint is used: inside the shape, or along its lines.
+    enum class Part : std::uint8_t { Fill, Stroke };
+    std::optional<Colour> colour(const Paint& paint, double opacity, const Properties& properties,
+                                 const PaintedShape& shape, Part part);
+    std::optional<Colour> referenced(const Paint& paint, const Properties& properties,
+                                     const PaintedShape& shape, Part part);
+    std::optional<Colour> gradientColour(Node gradient, const Properties& properties,
+                                         const PaintedShape& shape, Part part);
+    int rows(); ///< of the points at which the next shape is looked at
 
     const Tree& tree_;
     Styles& styles_;
     Report& report_;
-    std::unordered_map<Node, Gradient> gradients_;
+    std::unordered_map<Node, GradientStops> stops_;
+    std::size_t shapes_ = 0; ///< painted with gradients so far
 };
 
 } // namespace app::svg

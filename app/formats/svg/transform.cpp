@@ -191,6 +191,21 @@ Matrix operator*(const Matrix& outer, const Matrix& inner)
 
 Matrix translation(const Point& by) { return {1, 0, 0, 1, by.x, by.y}; }
 
+std::optional<Matrix> inverse(const Matrix& m)
+{
+    const double size = m.determinant();
+    const Matrix turned{m.d / size,
+                        -m.b / size,
+                        -m.c / size,
+                        m.a / size,
+                        (m.c * m.f - m.d * m.e) / size,
+                        (m.b * m.e - m.a * m.f) / size};
+    const auto finite = [](auto... parts) { return (std::isfinite(parts) && ...); };
+    return finite(turned.a, turned.b, turned.c, turned.d, turned.e, turned.f)
+               ? std::optional(turned)
+               : std::nullopt;
+}
+
 std::optional<double> transformLength(std::string_view text, const TransformUnits& units, int axis)
 {
     const auto length = units.lengths.parse(text, units.box[axis]);

@@ -25,6 +25,7 @@ struct Matrix {
 };
 
 Matrix translation(const Point& by);
+std::optional<Matrix> inverse(const Matrix& matrix); ///< empty if it flattens the plane
 
 /// The units of the numbers of a transform.
 struct TransformUnits {

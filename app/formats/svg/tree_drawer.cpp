@@ -312,7 +312,8 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     reportEffects(properties, false);
     const double pixelsPerUnit = pixel / page_.millimetresPerUnit();
     drawn.style = paints_.style(properties, place.opacity,
-                                properties.fixedWidth ? pixelsPerUnit : place.matrix.scale());
+                                properties.fixedWidth ? pixelsPerUnit : place.matrix.scale(),
+                                {paths, place.matrix, place.lengths});
     report_.add(losses::strokeBelow,
                 properties.strokeBelow && drawn.style.fill && drawn.style.stroke);
     if (properties.longDashes)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/formats/svg/clipped_content.h"
+#include "app/formats/svg/element_bounds.h"
 #include "app/formats/svg/outline.h"
 #include "app/formats/svg/paint.h"
 #include "app/formats/svg/transform.h"
@@ -25,14 +26,6 @@ struct Place {
 
 /// A rectangle, transformed.
 PathShape rectangleShape(const Box& box, const Matrix& matrix);
-
-/// The bounding box of an element's shapes.
-struct ElementBounds {
-    bool ofStrokes = false; ///< whether their strokes count, too
-    Point min{}, max{};
-    bool isEmpty = true;
-    bool isKnown = true; ///< whether they have no texts, images and the like
-};
 
 /// Converts the tree into a document. A table has one row for each element that SVG can paint.
 class TreeDrawer {
