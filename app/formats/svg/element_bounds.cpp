@@ -8,6 +8,7 @@
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/tree_drawer.h"
+#include "app/lettering/outline_fonts.h"
 
 #include <glm/common.hpp>
 
@@ -99,6 +100,8 @@ void TreeDrawer::addBounds(Node node, const Place& place, ElementBounds& bounds)
                 return addBoundsWithin(child, place, bounds);
     } else if (name == "use") {
         addBoundsOfUse(node, place, bounds);
+    } else if (name == "text" && !outlineFonts().isEmpty()) {
+        addBoundsOfText(node, place, bounds);
     } else if (isDrawn(name)) {
         bounds.isKnown = false;
     }

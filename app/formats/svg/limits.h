@@ -22,8 +22,9 @@ constexpr std::size_t mostMetadata = 16'000'000; ///< bytes of title, descriptio
 constexpr std::size_t mostNotes = 50'000'000;    ///< bytes of titles and descriptions of elements
 constexpr std::size_t mostNames =
     10'000; ///< different names of elements and attributes; SVG has 400
-constexpr std::size_t mostRepeated = 500'000; ///< elements drawn through `use`
-constexpr std::size_t mostBounded = 500'000;  ///< elements of which boxes are computed
+constexpr std::size_t mostRepeated = 500'000;  ///< elements drawn through `use`
+constexpr std::size_t mostLetters = 1'000'000; ///< of texts, with those of boxes
+constexpr std::size_t mostBounded = 500'000;   ///< elements of which boxes are computed
 /// Shapes, chords and dashes together; in a file with more bytes than this, one for each byte.
 constexpr std::size_t mostParts = 10'000'000;
 constexpr std::size_t mostDeclarations = 20'000'000; ///< style rules times elements, tested

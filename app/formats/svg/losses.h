@@ -22,6 +22,32 @@ namespace losses {
 
 inline constexpr LossKind text{QT_TRANSLATE_NOOP("Text", "text"),
                                QT_TRANSLATE_NOOP("Text", "texts")};
+// What is drawn of texts; saving it over the file would lose the texts themselves.
+inline constexpr LossKind outlinedText{
+    QT_TRANSLATE_NOOP("Text", "text became the outlines of its letters"),
+    QT_TRANSLATE_NOOP("Text", "texts became the outlines of their letters"),
+    true,
+    nullptr,
+    nullptr,
+    false,
+    true};
+inline constexpr LossKind replacedFont{
+    QT_TRANSLATE_NOOP("Text", "use of a font that is not installed was replaced: %1"),
+    QT_TRANSLATE_NOOP("Text", "uses of a font that is not installed were replaced: %1"),
+    true,
+    nullptr,
+    nullptr,
+    true};
+inline constexpr LossKind letter{QT_TRANSLATE_NOOP("Text", "letter %1 that no installed font has"),
+                                 QT_TRANSLATE_NOOP("Text", "letters %1 that no installed font has"),
+                                 false, QT_TRANSLATE_NOOP("Text", "a box stands in its place"),
+                                 QT_TRANSLATE_NOOP("Text", "boxes stand in their places")};
+inline constexpr LossKind offPath{
+    QT_TRANSLATE_NOOP("Text", "text was cut off where its path ends"),
+    QT_TRANSLATE_NOOP("Text", "texts were cut off where their paths end"), true};
+inline constexpr LossKind pathlessText{
+    QT_TRANSLATE_NOOP("Text", "text on a path that is not in the file was left out"),
+    QT_TRANSLATE_NOOP("Text", "texts on paths that are not in the file were left out"), true};
 inline constexpr LossKind image{QT_TRANSLATE_NOOP("Text", "image"),
                                 QT_TRANSLATE_NOOP("Text", "images")};
 inline constexpr LossKind foreignObject{QT_TRANSLATE_NOOP("Text", "foreign object"),

@@ -163,14 +163,6 @@ bool setJoin(P& p, Value text, const Given&)
     return join.has_value();
 }
 
-// Matters only for lengths in em; words such as "large" are passed over.
-bool setFontSize(P& p, Value text, const Given& given)
-{
-    if (const auto size = given.lengths.parse(text, given.lengths.fontSize); size && *size > 0)
-        p.fontSize = *size;
-    return true;
-}
-
 bool setDisplay(P& p, Value text, const Given&)
 {
     p.displayed = !is(text, "none");
@@ -339,7 +331,6 @@ constexpr std::array allProperties{
     inherited<&P::clipRule>("clip-rule", setRule<&P::clipRule>),
     inherited<&P::visible>("visibility", setVisibility),
     inherited<&P::strokeBelow>("paint-order", setPaintOrder),
-    inherited<&P::fontSize>("font-size", setFontSize),
     inherited<&P::markerStart>("marker-start", setText<&P::markerStart>),
     inherited<&P::markerMid>("marker-mid", setText<&P::markerMid>),
     inherited<&P::markerEnd>("marker-end", setText<&P::markerEnd>),
@@ -375,13 +366,21 @@ constexpr std::array allProperties{
 
 } // namespace
 
-std::span<const Property> properties() { return allProperties; }
+std::span<const Property> properties()
+{
+    static const auto all = [] {
+        std::vector<Property> rows(allProperties.begin(), allProperties.end());
+        rows.insert(rows.end(), textProperties().begin(), textProperties().end());
+        return rows;
+    }();
+    return all;
+}
 
 const Property* findProperty(std::string_view name)
 {
     static const auto index = [] {
         std::unordered_map<std::string_view, const Property*> map;
-        for (const Property& property : allProperties)
+        for (const Property& property : properties())
             map.emplace(property.name, &property);
         return map;
     }();

@@ -5,8 +5,8 @@
 
 #include <span>
 
-// Tables of the properties of SVG and CSS that are evaluated, kept, or of no effect here. A property
-// that is in none of them is reported as lost.
+// Tables of the properties of SVG and CSS that are evaluated, kept, or of no effect here. A
+// property that is in none of them is reported as lost.
 
 namespace app::svg {
 
@@ -30,6 +30,7 @@ struct Property {
     Attribute attribute = Attribute::Same;
 };
 std::span<const Property> properties();
+std::span<const Property> textProperties();          ///< those of them that change letters alone
 const Property* findProperty(std::string_view name); ///< null: it is not evaluated
 
 /// A property that changes the picture, but is not evaluated.

@@ -27,6 +27,10 @@ Properties Properties::inherited() const
     child.stopColour = initial.stopColour;
     child.stopOpacity = initial.stopOpacity;
     child.shape.clear();
+    child.alignment = {};
+    child.baselineShift = 0;
+    child.text.linesAround |= child.text.lines;
+    child.text.lines = 0;
     return child;
 }
 
@@ -41,10 +45,15 @@ std::string_view lengthText(const Tree& tree, Node node, const Properties& prope
 
 namespace {
 
-constexpr std::string_view styleName = "style";
+constexpr std::string_view styleName = "style", fontName = "font";
 
 // Attributes that change the picture, and are neither properties nor read elsewhere.
 constexpr std::array<std::string_view, 3> lostAttributes{"onload", "refX", "refY"};
+
+bool isFontSize(const Property& property)
+{
+    return property.name == fontName || property.name == "font-size";
+}
 
 bool isVariable(const Declaration& declaration) { return declaration.property.starts_with("--"); }
 
@@ -57,6 +66,7 @@ struct Styles::Cascade {
     Lengths lengths;
     Properties result;
     std::vector<std::span<const Declaration>> declarations; ///< from the weakest to the strongest
+    bool ofFonts = false; ///< whether the size of the font is set, and nothing else
 };
 
 Styles::Styles(const Tree& tree, Report& report)
@@ -84,14 +94,40 @@ Properties Styles::of(Node node, const Properties& parent, const Lengths& length
     const auto line = report_.line();
     report_.turnTo(tree_.line(node));
     applyVariables(cascade);
+    if (setsFont(cascade)) { // first, because lengths in em refer to its size
+        cascade.ofFonts = true;
+        applyAll(cascade);
+        cascade.ofFonts = false;
+        cascade.lengths.fontSize = cascade.result.fontSize;
+    }
+    applyAll(cascade);
+    report_.turnTo(line);
+    return std::move(cascade.result);
+}
+
+bool Styles::setsFont(const Cascade& cascade) const
+{
+    const auto begins = [](const Declaration& declaration) {
+        return equalsIgnoringCase(declaration.property.substr(0, fontName.size()), fontName);
+    };
+    return std::any_of(tree_.begin(cascade.node), tree_.last(cascade.node),
+                       [&](const auto& attribute) {
+                           const Property* property = attributes_[attribute.name].property;
+                           return property && isFontSize(*property);
+                       })
+           || std::ranges::any_of(cascade.declarations, [&](const auto& declarations) {
+                  return std::ranges::any_of(declarations, begins);
+              });
+}
+
+void Styles::applyAll(Cascade& cascade)
+{
     applyAttributes(cascade);
     for (const bool important : {false, true})
         for (const auto& declarations : cascade.declarations)
             for (const Declaration& declaration : declarations)
                 if (declaration.important == important && !isVariable(declaration))
                     apply(cascade, declaration);
-    report_.turnTo(line);
-    return std::move(cascade.result);
 }
 
 std::string_view Styles::styleAttribute(Node node)
@@ -121,9 +157,9 @@ void Styles::applyAttributes(Cascade& cascade)
     for (auto attribute = tree_.begin(cascade.node); attribute != tree_.last(cascade.node);
          ++attribute) {
         const auto& [property, isLost, isStyle] = attributes_[attribute->name];
-        if (isLost)
+        if (isLost && !cascade.ofFonts)
             report_.add(losses::attribute, tree_.nameOf(attribute->name));
-        if (!property)
+        if (!property || isFontSize(*property) != cascade.ofFonts)
             continue;
         const auto value = trimmed(uncommented(*attribute));
         if (property->attribute == Property::Attribute::Same || usesVariables(value))
@@ -134,10 +170,13 @@ void Styles::applyAttributes(Cascade& cascade)
 void Styles::apply(Cascade& cascade, const Declaration& declaration)
 {
     const Meaning& meaning = meaningOf(declaration.property);
-    if (meaning.property)
-        set(cascade, *meaning.property, declaration.value, true);
-    else if (!meaning.lost.empty() && isLost(meaning.lost, declaration.value, cascade.node == 0))
+    if (meaning.property) {
+        if (isFontSize(*meaning.property) == cascade.ofFonts)
+            set(cascade, *meaning.property, declaration.value, true);
+    } else if (!cascade.ofFonts && !meaning.lost.empty()
+               && isLost(meaning.lost, declaration.value, cascade.node == 0)) {
         report_.add(losses::property, meaning.lost);
+    }
 }
 
 const Styles::Meaning& Styles::meaningOf(std::string_view name)

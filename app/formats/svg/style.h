@@ -4,6 +4,7 @@
 #include "app/document/style_table.h"
 #include "app/formats/svg/css.h"
 #include "app/formats/svg/length.h"
+#include "app/formats/svg/text_style.h"
 #include "app/formats/svg/variables.h"
 
 #include <unordered_set>
@@ -50,6 +51,7 @@ struct Properties {
     bool visible = true;
     bool strokeBelow = false; ///< paint-order: whether the stroke is painted before the fill
     double fontSize = 16;
+    TextStyle text{};
     std::string_view markerStart{}, markerMid{}, markerEnd{};
     std::shared_ptr<const Variables> variables{};
 
@@ -64,6 +66,8 @@ struct Properties {
     Paint stopColour{Paint::Kind::Solid};
     double stopOpacity = 1;
     std::vector<ShapeValue> shape{};
+    std::string_view alignment{}; ///< of a part of a text: the line that lies on that of the rest
+    double baselineShift = 0;     ///< of a part of a text, upwards
 
     bool longDashes = false; ///< whether a pattern longer than mostDashes was dropped
 
@@ -97,6 +101,8 @@ private:
     };
 
     std::string_view styleAttribute(Node node);
+    bool setsFont(const Cascade& cascade) const;
+    void applyAll(Cascade& cascade);
     void applyVariables(Cascade& cascade);
     void applyAttributes(Cascade& cascade);
     void apply(Cascade& cascade, const Declaration& declaration);

@@ -28,6 +28,7 @@ constexpr std::array namespaces{
     Namespace{"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd", "sodipodi:"},
     Namespace{"urn:clearcut:1", "clearcut:"},
     Namespace{"http://www.w3.org/1999/xhtml", "html:"},
+    Namespace{"http://www.w3.org/XML/1998/namespace", "xml:"},
 };
 
 void appendText(std::string& text, std::string_view added)
@@ -112,6 +113,8 @@ public:
             close();
         else if (token.kind == XmlToken::Kind::Text && inStyle_)
             addStyle(token.text);
+        else if (token.kind == XmlToken::Kind::Text && texts_ > 0)
+            addText(token.text);
         else if (token.kind == XmlToken::Kind::Instruction
                  && token.name.qualified == "xml-stylesheet")
             report_.add(losses::otherFile);
@@ -155,6 +158,7 @@ private:
             {name, parent, 0, std::uint32_t(tree_.attributes_.size()), std::uint32_t(line())});
         for (const XmlAttribute& attribute : token.attributes)
             addAttribute(attribute);
+        texts_ += tree_.names_[name] == "text";
         openStyle(tree_.names_[name], token);
     }
 
@@ -198,8 +202,20 @@ private:
         ++notes.count;
     }
 
+    void addText(std::string_view text)
+    {
+        const auto name = intern(textNode);
+        const auto end = Node(tree_.elements_.size() + 1);
+        const auto offset = std::uint32_t(tree_.text_.size());
+        appendText(tree_.text_, text);
+        tree_.elements_.push_back({name, open_.back(), end, std::uint32_t(tree_.attributes_.size()),
+                                   std::uint32_t(line())});
+        tree_.attributes_.push_back({name, std::uint32_t(text.size()), offset});
+    }
+
     void close()
     {
+        texts_ -= tree_.name(open_.back()) == "text";
         tree_.elements_[open_.back()].end = Node(tree_.elements_.size());
         open_.pop_back();
         inStyle_ = false;
@@ -244,6 +260,7 @@ private:
         {otherName, 0}};
     std::string key_;
     bool inStyle_ = false;
+    int texts_ = 0; ///< open <text> elements
     AboutReader about_;
 };
 

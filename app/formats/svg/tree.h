@@ -31,10 +31,14 @@ struct StyleText {
 
 class Report;
 
+/// The name of a piece of text inside a <text>, which is stored as an element; the attribute of the
+/// same name has it.
+constexpr std::string_view textNode = "#text";
+
 /// The elements of a file and their attributes, stored compactly: 100,000 lines take about as much
-/// memory as their file. Elements of SVG's namespace have no prefix. Names of Inkscape, Sodipodi,
-/// XLink and Clearcut get their usual prefix ("inkscape:label"); names of other namespaces become
-/// "other".
+/// memory as their file. Of text only that of <text> and of style sheets is kept. Elements of SVG's
+/// namespace have no prefix. Names of Inkscape, Sodipodi, XLink and Clearcut get their usual prefix
+/// ("inkscape:label"); names of other namespaces become "other".
 class Tree {
 public:
     /// Reads a file, a device with random access. Common errors of well-formedness are passed over

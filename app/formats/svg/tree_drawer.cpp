@@ -24,7 +24,6 @@ struct Foreign {
     const LossKind* loss;
 };
 constexpr std::array foreigners{
-    Foreign{"text", &losses::text},
     Foreign{"flowRoot", &losses::text},
     Foreign{"image", &losses::image},
     Foreign{"foreignObject", &losses::foreignObject},
@@ -90,6 +89,7 @@ const TreeDrawer::Row* TreeDrawer::find(std::string_view element)
         Row{"line", &TreeDrawer::drawOutline},    Row{"polyline", &TreeDrawer::drawOutline},
         Row{"polygon", &TreeDrawer::drawOutline}, Row{"rect", &TreeDrawer::drawOutline},
         Row{"circle", &TreeDrawer::drawOutline},  Row{"ellipse", &TreeDrawer::drawOutline},
+        Row{"text", &TreeDrawer::drawText},
     };
     const auto found = std::ranges::find(all, element, &Row::element);
     return found == all.end() ? nullptr : &*found;
@@ -299,36 +299,43 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
     Outline outline = outlineOf(*kind, node, place);
     scaleDashes(node, outline, properties);
-    const std::vector<Subpath> paths = placed(std::move(outline), place.matrix);
-    if (!paths.empty() && place.matrix.determinant() == 0) {
+    Drawn drawn{placed(std::move(outline), place.matrix)};
+    if (!drawn.paths.empty() && place.matrix.determinant() == 0) {
         report_.add(losses::sizeless);
         return;
     }
-    if (paths.empty())
+    if (drawn.paths.empty())
         return;
-    Object drawn{Path(paths), {}};
-    if (!enclosesArea(paths))
-        properties.fill = {}; // the writer leaves out such a fill, too
     reportEffects(properties, false);
-    const double pixelsPerUnit = pixel / page_.millimetresPerUnit();
-    drawn.style = paints_.style(properties, place.opacity,
-                                properties.fixedWidth ? pixelsPerUnit : place.matrix.scale(),
-                                {paths, place.matrix, place.lengths});
-    report_.add(losses::strokeBelow,
-                properties.strokeBelow && drawn.style.fill && drawn.style.stroke);
-    if (properties.longDashes)
-        report_.add(losses::longDashes);
     if (kind->takesMarkers)
         report_.add(losses::marker, !properties.markerStart.empty() + !properties.markerMid.empty()
                                         + !properties.markerEnd.empty());
-    if (drawn.style.stroke && !properties.fixedWidth && !place.matrix.keepsShapes())
-        report_.add(losses::unevenStroke);
-    drawn.hidden = place.hidden || !properties.visible;
     const Node named = place.repeated ? around.use : node;
-    if (named != noNode)
-        drawn.particulars = particularsOf(named);
-    drawn.particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"), paths);
-    content_.add(std::move(drawn), place.clips);
+    Particulars particulars = named == noNode ? Particulars() : particularsOf(named);
+    particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"), drawn.paths);
+    addShape(std::move(drawn), place, std::move(particulars));
+}
+
+void TreeDrawer::addShape(Drawn drawn, const Place& place, Particulars particulars)
+{
+    Properties properties = place.properties;
+    const std::vector<Subpath>& paths = drawn.paths;
+    if (!enclosesArea(paths))
+        properties.fill = {}; // the writer leaves out such a fill, too
+    const double pixelsPerUnit = pixel / page_.millimetresPerUnit();
+    Object object{Path(paths), {}};
+    object.style = paints_.style(properties, place.opacity,
+                                 properties.fixedWidth ? pixelsPerUnit : place.matrix.scale(),
+                                 {paths, place.matrix, place.lengths});
+    report_.add(losses::strokeBelow,
+                properties.strokeBelow && object.style.fill && object.style.stroke);
+    if (properties.longDashes)
+        report_.add(losses::longDashes);
+    if (object.style.stroke && !properties.fixedWidth && !place.matrix.keepsShapes())
+        report_.add(losses::unevenStroke);
+    object.hidden = place.hidden || !properties.visible;
+    object.particulars = std::move(particulars);
+    content_.add(std::move(object), place.clips);
 }
 
 Outline TreeDrawer::outlineOf(const OutlineKind& kind, Node node, const Place& place)

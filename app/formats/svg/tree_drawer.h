@@ -5,9 +5,13 @@
 #include "app/formats/svg/element_bounds.h"
 #include "app/formats/svg/outline.h"
 #include "app/formats/svg/paint.h"
+#include "app/formats/svg/text_layout.h"
 #include "app/formats/svg/transform.h"
+#include "app/lettering/named_font.h"
 
 #include <memory>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace app::svg {
 
@@ -113,6 +117,30 @@ private:
     bool addMaskShape(Node node, const Place& place, MaskShapes& shapes);
     void addViewportClip(const Box& viewport, Place& place);
 
+    struct Texts;
+    /// What a part of a text inherits, beside its style.
+    struct TextSpan {
+        std::shared_ptr<const PathWalk> path{};
+        double startOffset = 0;
+        double raised = 0;
+        bool keepsBlanks = false;
+    };
+    void drawText(Node node, const Place& around);
+    static bool hasLines(const TextParts& parts, const Texts& texts);
+    void drawLetters(const LaidLetters& letters, const Texts& texts, Particulars own);
+    void addBoundsOfText(Node node, const Place& place, ElementBounds& bounds);
+    TextParts textParts(Node node, const Place& place, Texts& texts);
+    void collectText(Node node, const Place& place, const TextSpan& around, Texts& texts);
+    void collectSpan(Node node, const Place& around, TextSpan span, Texts& texts);
+    bool turnToPath(Node node, const Place& place, TextSpan& span);
+    void addRun(const Place& place, const TextSpan& span, Texts& texts);
+    LineFont lineFont(const Properties& properties);
+
+    /// A shape in the document's coordinates.
+    struct Drawn {
+        std::vector<Subpath> paths;
+    };
+    void addShape(Drawn drawn, const Place& place, Particulars particulars);
     Outline outlineOf(const OutlineKind& kind, Node node, const Place& place);
     std::vector<Subpath> placed(Outline outline, const Matrix& matrix);
     void scaleDashes(Node node, const Outline& outline, Properties& properties);
@@ -134,8 +162,10 @@ private:
     std::unordered_set<Node> named_; ///< the elements of these
     std::size_t repeated_ = 0;       ///< number of elements drawn through <use>
     std::size_t bounded_ = 0;        ///< number of elements of which boxes were computed
-    bool hasConditions_ = false;     ///< whether the file names languages or extensions
-    std::vector<bool> idIsTaken_;    ///< for the first element with an id: whether the id is in use
+    std::size_t letters_ = 0;        ///< number of letters of texts
+    std::unordered_map<std::string, NamedFont> fonts_; ///< by lists of families
+    bool hasConditions_ = false;  ///< whether the file names languages or extensions
+    std::vector<bool> idIsTaken_; ///< for the first element with an id: whether the id is in use
     int notesKept_ = 0;
 };
 

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/svg/text_layout.h"
+
+#include "app/formats/svg/scanner.h"
+#include "app/lettering/lettering.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace app::svg {
+namespace {
+
+bool isGiven(double number) { return !std::isnan(number); }
+double orZero(double number) { return isGiven(number) ? number : 0; }
+
+Matrix turnedTo(const Point& at, const Point& along, const Point& from)
+{
+    return translation(at) * Matrix{along.x, along.y, -along.y, along.x, 0, 0} * translation(-from);
+}
+
+/// Characters that are laid out together: from one absolute position to the next.
+struct Chunk {
+    qsizetype first, end;
+};
+
+class TextSetter {
+public:
+    TextSetter(const TextContent& content, const std::vector<TextRun>& runs,
+               const std::vector<TextFit>& fits)
+        : content_(content), runs_(runs), fits_(fits), fitted_(fits.size())
+    {
+    }
+
+    TextParts set()
+    {
+        for (qsizetype first = 0; first < content_.text().size();) {
+            const Chunk chunk{first, endOfChunk(first)};
+            setChunk(chunk);
+            first = chunk.end;
+        }
+        parts_.unfitted = int(std::ranges::count(fitted_, false));
+        return std::move(parts_);
+    }
+
+private:
+    const TextRun& runAt(qsizetype index) const { return runs_[content_.runOf(index)]; }
+
+    qsizetype endOfChunk(qsizetype first) const
+    {
+        qsizetype end = first + 1;
+        const auto path = runAt(first).path;
+        while (end < content_.text().size() && end - first < longestText && runAt(end).path == path
+               && (content_.text()[end].isLowSurrogate()
+                   || (!(isGiven(content_.placeOf(end).x) && !path)
+                       && !isGiven(content_.placeOf(end).y))))
+            ++end;
+        return end;
+    }
+
+    TextLine lineOf(const Chunk& chunk, double moreSpacing) const
+    {
+        std::vector<TextLine::Span> spans;
+        for (qsizetype i = chunk.first; i < chunk.end; ++i) {
+            LineFont font = runAt(i).font;
+            font.letterSpacing += moreSpacing;
+            if (spans.empty() || spans.back().font != font)
+                spans.push_back({0, std::move(font)});
+            ++spans.back().length;
+        }
+        return {content_.text().mid(chunk.first, chunk.end - chunk.first), spans,
+                runAt(chunk.first).rightToLeft};
+    }
+
+    void setChunk(const Chunk& chunk)
+    {
+        TextLine line = lineOf(chunk, 0);
+        const TextFit* const fit = fitOf(chunk);
+        double stretch = 1;
+        const double width = line.width();
+        if (fit && fit->stretches && width > 0)
+            stretch = fit->length / width;
+        else if (fit && chunk.end - chunk.first > 1)
+            line = lineOf(chunk, (fit->length - width) / double(lettersIn(line, chunk) - 1));
+        const LetterPlace& place = content_.placeOf(chunk.first);
+        pen_ = {isGiven(place.x) && !runAt(chunk.first).path ? place.x : pen_.x,
+                isGiven(place.y) ? place.y : pen_.y};
+        pen_ += Point{orZero(place.dx), orZero(place.dy)};
+        if (runAt(chunk.first).path)
+            setOnPath(chunk, line, stretch);
+        else
+            setStraight(chunk, line, stretch);
+    }
+
+    const TextFit* fitOf(const Chunk& chunk)
+    {
+        for (std::size_t i = 0; i < fits_.size(); ++i)
+            if (!fitted_[i] && fits_[i].first == chunk.first && fits_[i].end == chunk.end) {
+                fitted_[i] = true;
+                return &fits_[i];
+            }
+        return nullptr;
+    }
+
+    static qsizetype lettersIn(const TextLine& line, const Chunk& chunk)
+    {
+        qsizetype count = 0;
+        for (qsizetype i = 0; i < chunk.end - chunk.first; ++count)
+            i = std::max(line.nextLetter(i), i + 1);
+        return std::max<qsizetype>(count, 2);
+    }
+
+    /// Characters that stay together, as far as they have the same style and no place of their own.
+    struct Piece {
+        qsizetype first, end; ///< in the chunk
+        Point shift;          ///< by dx and dy
+        double turn;          ///< degrees
+        double left, right;   ///< on the line
+    };
+
+    std::vector<Piece> piecesOf(const Chunk& chunk, const TextLine& line, double stretch) const
+    {
+        std::vector<Piece> pieces;
+        Point shift{};
+        const bool single = static_cast<bool>(runAt(chunk.first).path);
+        const qsizetype count = chunk.end - chunk.first;
+        for (qsizetype i = 0; i < count;) {
+            const qsizetype next = std::clamp(line.nextLetter(i), i + 1, count);
+            const LetterPlace& place = content_.placeOf(chunk.first + i);
+            if (i > 0)
+                shift += Point{orZero(place.dx), orZero(place.dy)};
+            const double turn = orZero(place.rotate);
+            const auto [left, right] = line.reach(i, next - i);
+            const bool apart = pieces.empty() || single || turn != 0 || pieces.back().turn != 0
+                               || shift != pieces.back().shift
+                               || content_.runOf(chunk.first + i)
+                                      != content_.runOf(chunk.first + pieces.back().first);
+            if (apart)
+                pieces.push_back({i, next, shift, turn, left * stretch, right * stretch});
+            Piece& piece = pieces.back();
+            piece.end = next;
+            piece.left = std::min(piece.left, left * stretch);
+            piece.right = std::max(piece.right, right * stretch);
+            i = next;
+        }
+        return pieces;
+    }
+
+    // How far the chunk begins to the right of its position.
+    double anchored(const Chunk& chunk, const std::vector<Piece>& pieces) const
+    {
+        using Anchor = TextStyle::Anchor;
+        double left = 0, right = 0;
+        for (const Piece& piece : pieces) {
+            left = std::min(left, piece.left + piece.shift.x);
+            right = std::max(right, piece.right + piece.shift.x);
+        }
+        const TextRun& run = runAt(chunk.first);
+        if (run.anchor == Anchor::Middle)
+            return -(left + right) / 2;
+        return (run.anchor == Anchor::Start) == run.rightToLeft ? -right : -left;
+    }
+
+    void setStraight(const Chunk& chunk, TextLine& line, double stretch)
+    {
+        const auto pieces = piecesOf(chunk, line, stretch);
+        const Point begin = pen_ + Point{anchored(chunk, pieces), 0};
+        for (const Piece& piece : pieces) {
+            const Point baseline =
+                begin + piece.shift + Point{0, runAt(chunk.first + piece.first).lowered};
+            const double angle = piece.turn * std::numbers::pi / 180;
+            const Matrix where = turnedTo(baseline + Point{piece.left, 0},
+                                          {std::cos(angle), std::sin(angle)}, {piece.left, 0});
+            add(chunk, piece, line, stretch, piece.turn == 0 ? translation(baseline) : where);
+        }
+        pen_ = begin + Point{line.width() * stretch, 0};
+        if (!pieces.empty())
+            pen_ += pieces.back().shift;
+    }
+
+    void setOnPath(const Chunk& chunk, TextLine& line, double stretch)
+    {
+        const auto pieces = piecesOf(chunk, line, stretch);
+        const TextRun& run = runAt(chunk.first);
+        const double begin = run.startOffset + anchored(chunk, pieces);
+        for (const Piece& piece : pieces) {
+            const double middle = (piece.left + piece.right) / 2;
+            const auto step = run.path->at(begin + piece.shift.x + middle);
+            parts_.leavesPath = parts_.leavesPath || !step;
+            if (!step)
+                continue;
+            const double angle = piece.turn * std::numbers::pi / 180;
+            const double across = piece.shift.y + runAt(chunk.first + piece.first).lowered;
+            const Matrix turned = turnedTo({}, {std::cos(angle), std::sin(angle)}, {});
+            add(chunk, piece, line, stretch,
+                turnedTo(step->at, step->along, {middle, -across}) * translation({piece.left, 0})
+                    * turned * translation({-piece.left, 0}));
+        }
+        if (const auto end = run.path->at(run.path->length()))
+            pen_ = end->at;
+    }
+
+    void add(const Chunk& chunk, const Piece& piece, TextLine& line, double stretch,
+             const Matrix& where)
+    {
+        LineLetters letters = line.letters(piece.first, piece.end - piece.first);
+        parts_.missing << letters.missing;
+        if (letters.paths.empty())
+            return;
+        for (Subpath& path : letters.paths)
+            transform(path, where * Matrix{stretch, 0, 0, 1, 0, 0});
+        const bool plain = piece.turn == 0 && stretch == 1 && letters.ofOneFont
+                           && letters.missing.isEmpty() && !runAt(chunk.first).path;
+        QString text = content_.text().mid(chunk.first + piece.first, piece.end - piece.first);
+        while (text.endsWith(u' '))
+            text.chop(1);
+        parts_.letters.push_back(
+            {std::move(letters.paths), content_.runOf(chunk.first + piece.first),
+             plain ? text : QString(), where({piece.left, 0}), piece.right - piece.left});
+    }
+
+    const TextContent& content_;
+    const std::vector<TextRun>& runs_;
+    const std::vector<TextFit>& fits_;
+    std::vector<bool> fitted_;
+    TextParts parts_;
+    Point pen_{};
+};
+
+struct NamedBaseline {
+    std::string_view name;
+    double ascent, descent, xHeight; ///< how far it lies above the baseline, in shares of these
+};
+constexpr std::array namedBaselines{
+    NamedBaseline{"middle", 0, 0, 0.5},
+    NamedBaseline{"central", 0.5, -0.5, 0},
+    NamedBaseline{"center", 0.5, -0.5, 0},
+    NamedBaseline{"hanging", 0.8, 0, 0},
+    NamedBaseline{"mathematical", 0.5, 0, 0},
+    NamedBaseline{"text-before-edge", 1, 0, 0},
+    NamedBaseline{"before-edge", 1, 0, 0},
+    NamedBaseline{"text-top", 1, 0, 0},
+    NamedBaseline{"top", 1, 0, 0},
+    NamedBaseline{"text-after-edge", 0, -1, 0},
+    NamedBaseline{"after-edge", 0, -1, 0},
+    NamedBaseline{"text-bottom", 0, -1, 0},
+    NamedBaseline{"bottom", 0, -1, 0},
+    NamedBaseline{"ideographic", 0, -1, 0},
+};
+
+} // namespace
+
+double depthOfBaseline(std::string_view line, const LineMeasures& measures)
+{
+    const auto found = std::ranges::find_if(namedBaselines, [&](const NamedBaseline& each) {
+        return equalsIgnoringCase(each.name, line);
+    });
+    if (found == namedBaselines.end())
+        return 0;
+    return found->ascent * measures.ascent + found->descent * measures.descent
+           + found->xHeight * measures.xHeight;
+}
+
+TextParts laidOut(const TextContent& content, const std::vector<TextRun>& runs,
+                  const std::vector<TextFit>& fits)
+{
+    return TextSetter(content, runs, fits).set();
+}
+
+} // namespace app::svg

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The properties of letters.
+#include "app/formats/svg/length.h"
+#include "app/formats/svg/property.h"
+#include "app/formats/svg/scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace app::svg {
+namespace {
+
+using T = TextStyle;
+using Word = std::string_view;
+
+bool isWord(Word value, Word word) { return equalsIgnoringCase(value, word); }
+
+bool isOneOf(Word value, Word words)
+{
+    return std::ranges::any_of(wordsOf(words), [&](Word word) { return isWord(value, word); });
+}
+
+struct SizeWord {
+    Word word;
+    double pixels;
+};
+constexpr std::array sizeWords{SizeWord{"xx-small", 9.6}, SizeWord{"x-small", 12},
+                               SizeWord{"small", 14.222}, SizeWord{"medium", 16},
+                               SizeWord{"large", 19.2},   SizeWord{"x-large", 24},
+                               SizeWord{"xx-large", 32},  SizeWord{"xxx-large", 48}};
+
+std::optional<double> sizeOf(Word text, double around, const Lengths& lengths)
+{
+    constexpr double step = 1.2;
+    if (isWord(text, "larger"))
+        return around * step;
+    if (isWord(text, "smaller"))
+        return around / step;
+    const auto word = std::ranges::find_if(
+        sizeWords, [&](const SizeWord& each) { return isWord(text, each.word); });
+    if (word != sizeWords.end())
+        return word->pixels;
+    const auto size = lengths.parse(text, around);
+    return size && *size >= 0 ? size : std::nullopt;
+}
+
+bool setFontSize(Properties& p, Word text, const Given& given)
+{
+    const auto size = sizeOf(text, given.lengths.fontSize, given.lengths);
+    if (size)
+        p.fontSize = *size;
+    return size.has_value();
+}
+
+bool setFamily(Properties& p, Word text, const Given&)
+{
+    p.text.families = text;
+    return true;
+}
+
+bool setStyle(Properties& p, Word text, const Given&)
+{
+    const Word first = text.substr(0, text.find_first_of(blanks));
+    const bool slanted = isOneOf(first, "italic oblique");
+    if (slanted || isWord(text, "normal"))
+        p.text.italic = slanted;
+    return slanted || isWord(text, "normal");
+}
+
+// CSS Fonts 4, section 2.2.1.
+int bolder(int weight) { return weight < 350 ? 400 : weight < 550 ? 700 : std::max(weight, 900); }
+int lighter(int weight) { return weight < 550 ? std::min(weight, 100) : weight < 750 ? 400 : 700; }
+
+std::optional<int> weightOf(Word text, int around)
+{
+    if (isWord(text, "normal"))
+        return 400;
+    if (isWord(text, "bold"))
+        return 700;
+    if (isWord(text, "bolder"))
+        return bolder(around);
+    if (isWord(text, "lighter"))
+        return lighter(around);
+    const auto number = lacksUnit(text) ? Lengths().parse(text, 0) : std::nullopt;
+    return number && *number >= 1 && *number <= 1000 ? std::optional(int(*number)) : std::nullopt;
+}
+
+bool setWeight(Properties& p, Word text, const Given&)
+{
+    const auto weight = weightOf(text, p.text.weight);
+    if (weight)
+        p.text.weight = *weight;
+    return weight.has_value();
+}
+
+bool setVariant(Properties& p, Word text, const Given& given)
+{
+    p.text.smallCapitals = isWord(text, "small-caps");
+    if (!isOneOf(text, "normal none small-caps"))
+        p.text.notEvaluated = given.property;
+    return true;
+}
+
+template <auto spacing>
+bool setSpacing(Properties& p, Word text, const Given& given)
+{
+    const auto length = isWord(text, "normal") ? 0 : given.lengths.parse(text, p.fontSize);
+    if (length)
+        p.text.*spacing = *length;
+    return length.has_value();
+}
+
+bool setAnchor(Properties& p, Word text, const Given&)
+{
+    using Anchor = TextStyle::Anchor;
+    for (const auto& [word, anchor] :
+         {std::pair{"start", Anchor::Start}, {"middle", Anchor::Middle}, {"end", Anchor::End}})
+        if (isWord(text, word)) {
+            p.text.anchor = anchor;
+            return true;
+        }
+    return false;
+}
+
+bool setDirection(Properties& p, Word text, const Given&)
+{
+    if (!isOneOf(text, "ltr rtl"))
+        return false;
+    p.text.rightToLeft = isWord(text, "rtl");
+    return true;
+}
+
+bool setWhiteSpace(Properties& p, Word text, const Given&)
+{
+    p.text.keepsBlanks = isOneOf(text, "pre pre-wrap break-spaces preserve");
+    return isOneOf(text, "normal nowrap pre pre-wrap pre-line break-spaces preserve collapse");
+}
+
+constexpr Word knownBaselines = "auto alphabetic baseline middle central hanging mathematical "
+                                "ideographic text-before-edge text-after-edge before-edge "
+                                "after-edge text-top text-bottom top bottom center use-script "
+                                "no-change reset-size";
+
+template <auto member>
+bool setBaseline(Properties& p, Word text, const Given&)
+{
+    const bool known = isOneOf(text, knownBaselines);
+    if (known)
+        p.*member = isOneOf(text, "auto baseline") ? Word() : text;
+    return known;
+}
+bool setDominantBaseline(Properties& p, Word text, const Given&)
+{
+    const bool known = isOneOf(text, knownBaselines);
+    if (known)
+        p.text.baseline = isOneOf(text, "auto baseline") ? Word() : text;
+    return known;
+}
+
+// Upwards, in user units; sub and super as browsers have it.
+bool setBaselineShift(Properties& p, Word text, const Given& given)
+{
+    constexpr double down = -0.2, up = 0.4; // of the font's size
+    const auto shift = isWord(text, "baseline") ? 0
+                       : isWord(text, "sub")    ? down * p.fontSize
+                       : isWord(text, "super")  ? up * p.fontSize
+                                                : given.lengths.parse(text, p.fontSize);
+    if (shift)
+        p.baselineShift = *shift;
+    return shift.has_value();
+}
+
+bool setDecoration(Properties& p, Word text, const Given& given)
+{
+    p.text.lines = 0;
+    for (const Word word : wordsOf(text)) {
+        if (isWord(word, "underline"))
+            p.text.lines |= T::underline;
+        else if (isWord(word, "overline"))
+            p.text.lines |= T::overline;
+        else if (isWord(word, "line-through"))
+            p.text.lines |= T::lineThrough;
+        else if (!isOneOf(word, "none solid auto currentcolor"))
+            p.text.notEvaluated = given.property;
+    }
+    return true;
+}
+
+bool setCase(Properties& p, Word text, const Given& given)
+{
+    p.text.letterCase = isWord(text, "uppercase")   ? T::Case::Upper
+                        : isWord(text, "lowercase") ? T::Case::Lower
+                                                    : T::Case::AsWritten;
+    if (!isOneOf(text, "none uppercase lowercase"))
+        p.text.notEvaluated = given.property;
+    return true;
+}
+
+// "italic small-caps bold 12px/1.5 Arial, serif"; what it does not say is as usual.
+bool setFont(Properties& p, Word text, const Given& given)
+{
+    if (isOneOf(text, "caption icon menu message-box small-caption status-bar"))
+        return true;
+    Properties made = p;
+    made.text.italic = made.text.smallCapitals = false;
+    made.text.weight = 400;
+    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+        const auto end = std::min(text.find_first_of(blanks), text.size());
+        const Word word = text.substr(0, end);
+        if (const auto size =
+                sizeOf(word.substr(0, word.find('/')), given.lengths.fontSize, given.lengths);
+            size && !weightOf(word, 400)) {
+            made.fontSize = *size;
+            text = trimmed(text.substr(end));
+            if (text.starts_with('/')) // "12px / 1.5 Arial"
+                text = trimmed(text.substr(std::min(text.find_first_of(blanks, 2), text.size())));
+            made.text.families = text;
+            if (!text.empty())
+                p = std::move(made);
+            return !text.empty();
+        }
+        if (!setStyle(made, word, given) && !setWeight(made, word, given)
+            && !isOneOf(word, "small-caps condensed semi-condensed expanded"))
+            return false;
+        made.text.smallCapitals = made.text.smallCapitals || isWord(word, "small-caps");
+        text = text.substr(end);
+    }
+    return false;
+}
+
+/// Properties that change letters and are not evaluated, with the values that change nothing.
+struct NotEvaluated {
+    Word name, without;
+};
+constexpr std::array notEvaluated{
+    NotEvaluated{"font-feature-settings", "normal"},
+    NotEvaluated{"font-kerning", "auto normal"},
+    NotEvaluated{"font-size-adjust", "none"},
+    NotEvaluated{"font-stretch", "normal 100%"},
+    NotEvaluated{"font-variant-alternates", "normal"},
+    NotEvaluated{"font-variant-caps", "normal"},
+    NotEvaluated{"font-variant-east-asian", "normal"},
+    NotEvaluated{"font-variant-ligatures", "normal"},
+    NotEvaluated{"font-variant-numeric", "normal"},
+    NotEvaluated{"font-variant-position", "normal"},
+    NotEvaluated{"font-variation-settings", "normal"},
+    NotEvaluated{"glyph-orientation-horizontal", "0 0deg auto"},
+    NotEvaluated{"glyph-orientation-vertical", "0 0deg auto"},
+    NotEvaluated{"inline-size", "0 auto"},
+    NotEvaluated{"shape-inside", "none auto"},
+    NotEvaluated{"text-combine-upright", "none"},
+    NotEvaluated{"text-emphasis", "none"},
+    NotEvaluated{"text-indent", "0 0px"},
+    NotEvaluated{"text-orientation", "mixed"},
+    NotEvaluated{"text-shadow", "none"},
+    NotEvaluated{"unicode-bidi", "normal embed isolate plaintext"},
+    NotEvaluated{"writing-mode", "lr lr-tb horizontal-tb"},
+};
+
+bool setNotEvaluated(Properties& p, Word text, const Given& given)
+{
+    const auto row = std::ranges::find(notEvaluated, given.property, &NotEvaluated::name);
+    if (!isOneOf(text, row->without))
+        p.text.notEvaluated = row->name;
+    else if (p.text.notEvaluated == row->name)
+        p.text.notEvaluated = {};
+    return true;
+}
+
+template <auto member>
+void copyText(Properties& to, const Properties& from)
+{
+    to.text.*member = from.text.*member;
+}
+
+template <auto member>
+constexpr Property letters(Word name, decltype(Property::set) set)
+{
+    return {name, set, copyText<member>, true};
+}
+
+void copyFont(Properties& to, const Properties& from)
+{
+    to.fontSize = from.fontSize;
+    to.text.families = from.text.families;
+    to.text.weight = from.text.weight;
+    to.text.italic = from.text.italic;
+    to.text.smallCapitals = from.text.smallCapitals;
+}
+
+const std::array evaluated{
+    Property{"font", setFont, copyFont, true, Property::Attribute::Other},
+    Property{"font-size", setFontSize,
+             [](Properties& to, const Properties& from) { to.fontSize = from.fontSize; }, true},
+    letters<&T::families>("font-family", setFamily),
+    letters<&T::italic>("font-style", setStyle),
+    letters<&T::weight>("font-weight", setWeight),
+    letters<&T::smallCapitals>("font-variant", setVariant),
+    letters<&T::letterSpacing>("letter-spacing", setSpacing<&T::letterSpacing>),
+    letters<&T::wordSpacing>("word-spacing", setSpacing<&T::wordSpacing>),
+    letters<&T::anchor>("text-anchor", setAnchor),
+    letters<&T::rightToLeft>("direction", setDirection),
+    letters<&T::keepsBlanks>("white-space", setWhiteSpace),
+    letters<&T::baseline>("dominant-baseline", setDominantBaseline),
+    letters<&T::lines>("text-decoration", setDecoration),
+    letters<&T::lines>("text-decoration-line", setDecoration),
+    letters<&T::letterCase>("text-transform", setCase),
+    Property{"alignment-baseline", setBaseline<&Properties::alignment>,
+             [](Properties& to, const Properties& from) { to.alignment = from.alignment; }},
+    Property{"baseline-shift", setBaselineShift,
+             [](Properties& to, const Properties& from) { to.baselineShift = from.baselineShift; }},
+};
+
+} // namespace
+
+std::span<const Property> textProperties()
+{
+    static const auto all = [] {
+        std::vector<Property> rows(evaluated.begin(), evaluated.end());
+        for (const NotEvaluated& row : notEvaluated)
+            rows.push_back({row.name, setNotEvaluated, copyText<&T::notEvaluated>, true});
+        return rows;
+    }();
+    return all;
+}
+
+} // namespace app::svg

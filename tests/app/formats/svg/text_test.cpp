@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Texts become the outlines of their letters. The tests have the fonts of tests/fonts.conf.
+#include "app/document/path.h"
+#include "app/lettering/lettering.h"
+
+#include <QTest>
+
+#include <glm/common.hpp>
+
+#include <cmath>
+
+#include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_text_test {
+
+using app::Path;
+using app::Point;
+
+namespace {
+
+struct Bounds {
+    Point min{1e9, 1e9}, max{-1e9, -1e9};
+    double width() const { return max.x - min.x; }
+    double middle() const { return (min.x + max.x) / 2; }
+};
+
+Bounds boundsOf(const app::Document& document)
+{
+    Bounds bounds;
+    for (std::size_t i = 0; i < document.objects().size(); ++i)
+        document.objects()[i].path().forEachPoint([&](const Point& p) {
+            bounds.min = glm::min(bounds.min, p);
+            bounds.max = glm::max(bounds.max, p);
+        });
+    return bounds;
+}
+
+const QByteArray mono = " font-family='DejaVu Sans Mono' font-size='10' ";
+constexpr double advance = 6.0205; // of each letter of DejaVu Sans Mono at 10
+
+app::Document documentOf(const QByteArray& elements)
+{
+    const auto result = readText(drawing(elements));
+    return result ? result.value->document : app::Document();
+}
+Bounds boundsOf(const QByteArray& elements) { return boundsOf(documentOf(elements)); }
+
+std::size_t countOf(const QByteArray& elements) { return documentOf(elements).objects().size(); }
+
+std::optional<app::TextRecipe> recipeOf(const QByteArray& elements)
+{
+    const app::Document document = documentOf(elements);
+    if (document.objects().size() != 1)
+        return std::nullopt;
+    const app::Recipe recipe = document.objects()[0].particulars().recipe;
+    const auto* text = std::get_if<app::TextRecipe>(&recipe);
+    return text ? std::optional(*text) : std::nullopt;
+}
+
+QByteArray text(const QByteArray& attributes, const QByteArray& content)
+{
+    return "<text" + mono + attributes + '>' + content + "</text>";
+}
+
+#define QNEAR(actual, expected)                                                                    \
+    QVERIFY2(std::abs((actual) - (expected)) < 0.06,                                               \
+             qPrintable(QStringLiteral("%1, not %2").arg(actual).arg(expected)))
+
+} // namespace
+
+class TextTest : public QObject {
+    Q_OBJECT
+private slots:
+    void lettersStandOnTheirBaseline()
+    {
+        const Bounds one = boundsOf(text("x='10' y='20'", "H"));
+        QNEAR(one.max.y, 20);
+        QNEAR(one.min.y, 20 - 7.29); // the height of capitals of DejaVu: 0.729
+        QVERIFY(one.min.x > 10 && one.max.x < 10 + advance);
+        const Bounds five = boundsOf(text("x='10' y='20'", "HHHHH"));
+        QNEAR(five.max.x - one.max.x, 4 * advance);
+        QNEAR(boundsOf(text("x='10' y='20' style='font-size:20px'", "H")).min.y, 20 - 14.58);
+    }
+
+    void anchors()
+    {
+        QNEAR(boundsOf(text("x='50' y='20' text-anchor='middle'", "HHHHH")).middle(), 50);
+        const double start = boundsOf(text("x='50' y='20'", "HHHHH")).min.x;
+        QNEAR(boundsOf(text("x='50' y='20' text-anchor='end'", "HHHHH")).min.x,
+              start - 5 * advance);
+        QNEAR(boundsOf(text("x='50' y='20' text-anchor='end'", "HH<tspan fill='red'>HHH</tspan>"))
+                  .min.x,
+              start - 5 * advance);
+        QNEAR(boundsOf(text("x='50' direction='rtl'", "HHHHH")).min.x, start - 5 * advance);
+    }
+
+    void positionsOfLetters()
+    {
+        const double left = boundsOf(text("", "H")).min.x;
+        QNEAR(boundsOf(text("x='10 40'", "HH")).max.x - boundsOf(text("x='10'", "H")).max.x, 30);
+        QNEAR(boundsOf(text("x='10' dx='5 7'", "HH")).width(),
+              boundsOf(text("", "HH")).width() + 7);
+        QNEAR(boundsOf(text("x='10' dx='5'", "H")).min.x, left + 15);
+        QNEAR(boundsOf(text("y='10' dy='1 2'", "HH")).max.y, 13);
+        QNEAR(boundsOf(text("", "H<tspan x='30' y='9'>H</tspan>")).max.y, 9);
+        QNEAR(boundsOf(text("", "H<tspan dy='9'>H</tspan>")).max.y, 9);
+        QNEAR(boundsOf(text("rotate='90'", "H")).min.x, 0); // its foot
+        QNEAR(boundsOf(text("letter-spacing='2'", "HHH")).width(),
+              boundsOf(text("", "HHH")).width() + 4);
+        QNEAR(boundsOf(text("baseline-shift='3'", "H")).max.y, 0); // of a part of a text alone
+        QNEAR(boundsOf(text("", "<tspan baseline-shift='3'>H</tspan>")).max.y, -3);
+    }
+
+    void baselines()
+    {
+        const auto foot = [](const QByteArray& name) {
+            return boundsOf(text("dominant-baseline='" + name + "'", "H")).max.y;
+        };
+        QNEAR(foot("auto"), 0);
+        QNEAR(foot("middle"), 5.47 / 2);       // half the height of an x
+        QNEAR(foot("text-before-edge"), 9.28); // DejaVu's ascent
+        QNEAR(foot("text-after-edge"), -2.36); // and descent
+        QNEAR(foot("central"), (9.28 - 2.36) / 2);
+    }
+
+    void textLength()
+    {
+        const double five = boundsOf(text("", "HHHHH")).width();
+        QNEAR(boundsOf(text("textLength='60'", "HHHHH")).width(), five + 60 - 5 * advance);
+        const Bounds stretched =
+            boundsOf(text("textLength='60.205' lengthAdjust='spacingAndGlyphs'", "HHHHH"));
+        QNEAR(stretched.width(), five * 2);
+    }
+
+    void blanks()
+    {
+        const double one = boundsOf(text("", "H H")).width();
+        QNEAR(boundsOf(text("", "\n  H \n\t H  ")).width(), one);
+        QNEAR(boundsOf(text("xml:space='preserve'", "H   H")).width(), one + 2 * advance);
+        QNEAR(boundsOf(text("style='white-space:pre'", "H   H")).width(), one + 2 * advance);
+        QNEAR(boundsOf(text("text-anchor='end'", " H ")).max.x,
+              boundsOf(text("", "H")).max.x - advance);
+        QCOMPARE(countOf(text("", "   ")), std::size_t(0));
+        QCOMPARE(countOf(text("", "")), std::size_t(0));
+    }
+
+    void onAPath()
+    {
+        const QByteArray path = "<path id='p' fill='none' stroke='none' d='M10 90V10'/>";
+        const Bounds up = boundsOf("<defs>" + path + "</defs>"
+                                   + text("", "<textPath href='#p'>HHHHH</textPath>"));
+        QNEAR(up.max.x, 10);
+        QNEAR(up.min.x, 10 - 7.29);
+        QNEAR(up.max.y - up.min.y, boundsOf(text("", "HHHHH")).width());
+        const Bounds later =
+            boundsOf("<defs>" + path + "</defs>"
+                     + text("", "<textPath href='#p' startOffset='50%'>HHHHH</textPath>"));
+        QNEAR(later.max.y, up.max.y - 40);
+        QVERIFY(reportOf("<defs>" + path + "</defs>"
+                         + text("", "<textPath href='#p' startOffset='75'>HHHHH</textPath>"))
+                    .contains("cut off where its path ends"));
+        QVERIFY(reportOf(text("", "<textPath href='#gone'>H</textPath>"))
+                    .contains("text on a path that is not in the file"));
+    }
+
+    void areEditable()
+    {
+        const auto plain = recipeOf(text("x='10' y='20'", "Hello"));
+        QVERIFY(plain);
+        QCOMPARE(plain->text, "Hello");
+        QCOMPARE(plain->font, "DejaVu Sans Mono");
+        QCOMPARE(plain->at, Point(10, 20));
+        QNEAR(plain->size, 7.29);
+        const auto turned = recipeOf(
+            text("transform='translate(50,50) rotate(90) scale(2)' font-weight='bold'", "Hello"));
+        QVERIFY(turned);
+        QNEAR(turned->turn, std::acos(0.0));
+        QNEAR(turned->size, 14.58);
+        QVERIFY(turned->face.bold && !turned->mirrored);
+        QVERIFY(recipeOf(text("transform='scale(-1,1)'", "Hello"))->mirrored);
+        QVERIFY(!recipeOf(text("transform='skewX(20)'", "Hello")));
+    }
+
+    // The recipe makes the letters that the file has.
+    void recipesMakeTheSameLetters()
+    {
+        const QByteArray elements = text("x='10' y='20' transform='rotate(30)'", "Avast");
+        const auto recipe = recipeOf(elements);
+        QVERIFY(recipe);
+        const auto again = app::lettered(*recipe).paths;
+        const auto read = documentOf(elements).objects()[0].path().subpaths();
+        QCOMPARE(again.size(), read.size());
+        for (std::size_t i = 0; i < again.size(); ++i) {
+            QNEAR(again[i].start.x, read[i].start.x);
+            QNEAR(again[i].start.y, read[i].start.y);
+        }
+    }
+
+    void areWrittenAgain()
+    {
+        const app::Document document = documentOf(text("x='10' y='20'", "Hello"));
+        const QByteArray written = textOf(document);
+        const auto again = readText(written);
+        QVERIFY(again);
+        QVERIFY(textOf(again.value->document) == written);
+        const app::Recipe recipe = again.value->document.objects()[0].particulars().recipe;
+        QVERIFY(std::holds_alternative<app::TextRecipe>(recipe));
+    }
+
+    void partsAreAGroup()
+    {
+        const app::Document document =
+            documentOf(text("id='t' fill='red'", "one<tspan fill='blue' x='0' y='20'>two</tspan>"));
+        QCOMPARE(document.objects().size(), std::size_t(2));
+        QVERIFY(textOf(document).contains("<g id=\"t\""));
+        QCOMPARE(documentOf(text("id='t'", "one")).objects()[0].particulars().id, "t");
+        QCOMPARE(countOf(text("text-decoration='underline'", "one")), std::size_t(2));
+    }
+
+    void isTold()
+    {
+        QCOMPARE(reportOf(text("", "one")), "1 text became the outlines of its letters");
+        QVERIFY(app::mustSaveAs(readText(drawing(text("", "one"))).value->report));
+        QVERIFY(reportOf("<text font-family='No Such Font, serif'>one</text>")
+                    .contains("“No Such Font → DejaVu Serif”"));
+        QCOMPARE(reportOf("<text font-family='serif'>one</text>"),
+                 "1 text became the outlines of its letters");
+        QVERIFY(reportOf(text("writing-mode='tb'", "one"))
+                    .contains("use of the style property “writing-mode”"));
+        QVERIFY(reportOf(text("x='1 nonsense'", "one")).contains("“x: nonsense”"));
+    }
+
+    void hiddenAndConditionalParts()
+    {
+        QCOMPARE(countOf(text("", "<tspan display='none'>one</tspan>")), std::size_t(0));
+        QCOMPARE(countOf(text("", "<title>one</title><desc>two</desc>")), std::size_t(0));
+        QVERIFY(documentOf(text("visibility='hidden'", "one")).objects()[0].hidden());
+        QCOMPARE(countOf(text("", "<tspan systemLanguage='de'>eins</tspan>")), std::size_t(0));
+    }
+
+    // What is meant by a box of the text.
+    void boxes()
+    {
+        const Bounds bounds = boundsOf("<g style='transform:scale(2);transform-box:fill-box;"
+                                       "transform-origin:center'>"
+                                       + text("x='10' y='20'", "HHHHH") + "</g>");
+        const Bounds plain = boundsOf(text("x='10' y='20'", "HHHHH"));
+        QNEAR(bounds.middle(), plain.middle());
+        QNEAR(bounds.width(), 2 * plain.width());
+    }
+
+    void longTextsEnd()
+    {
+        const QByteArray many = text("id='t'", QByteArray(9'000, '.'));
+        QVERIFY(readText(drawing(many)));
+        const auto result = readText(
+            drawing("<defs>" + many + "</defs>" + QByteArray("<use href='#t'/>").repeated(120)));
+        QVERIFY(!result);
+        QVERIFY2(result.error.contains("exceeds the limit of 1000000 letters"),
+                 qPrintable(result.error));
+    }
+};
+
+} // namespace formats_svg_text_test
+
+TEST_CLASS(formats_svg_text_test::TextTest, Gui)
+#include "tests/app/formats/svg/text_test.moc"
