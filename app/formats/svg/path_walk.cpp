@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/path_walk.h"
 
+#include "app/cut/true_curve.h"
 #include "app/document/flatten.h"
 #include "app/document/path.h"
 #include "app/formats/svg/element_bounds.h"
@@ -19,15 +20,6 @@ double toleranceOf(std::span<const Subpath> paths)
         include(bounds, path);
     const Point size = bounds.max - bounds.min;
     return std::max({size.x, size.y, least}) * share;
-}
-
-Bezier curveOf(const Subpath& path, std::size_t segment)
-{
-    const Point from = segment == 0 ? path.start : path.segments[segment - 1].to;
-    if (segment == path.segments.size())
-        return {from, from, path.start, path.start};
-    const PathSegment& s = path.segments[segment];
-    return s.curved ? Bezier{from, s.control1, s.control2, s.to} : Bezier{from, from, s.to, s.to};
 }
 
 } // namespace
