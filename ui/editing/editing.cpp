@@ -34,16 +34,24 @@ void cutSelection(app::Session& session)
     session.select({});
 }
 
-QString nothingToPaste() { return Text::tr("The clipboard holds no drawing. Copy lines first."); }
-
-bool paste(app::Session& session, app::PastePlace place)
+QString paste(app::Session& session, app::PastePlace place, app::PastedText text)
 {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     const app::Document drawing = data ? app::pasted(*data, session.now().page()) : app::Document();
-    if (drawing.objects().empty())
-        return false;
-    app::paste(session, drawing, place);
-    return true;
+    if (!drawing.objects().empty()) {
+        app::paste(session, drawing, place);
+        return {};
+    }
+    text.text = data ? data->text() : QString();
+    if (text.text.trimmed().isEmpty())
+        return data && data->hasImage()
+                   ? Text::tr("The clipboard holds a picture, and a drawing holds only lines. Copy "
+                              "lines or a text.")
+                   : Text::tr("The clipboard holds no drawing and no text. Copy lines first.");
+    const auto written = app::drawingOf(session, text);
+    if (written)
+        app::paste(session, *written.value, app::PastePlace::InPlace);
+    return written.error;
 }
 
 void deleteSelection(app::Session& session)

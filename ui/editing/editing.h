@@ -2,19 +2,21 @@
 #pragma once
 
 #include "app/session/copy_selection.h"
+#include "app/session/pasted_text.h"
 #include "app/session/session.h"
 
 #include <cstddef>
 
 namespace ui {
 
-// The Edit menu's functions on the selection and the clipboard (SVG). Each is one undo step.
+// The Edit menu's functions on the selection and the clipboard (SVG or text). Each is one undo
+// step.
 
 void copySelection(const app::Session& session);
 void cutSelection(app::Session& session);
-/// Whether the clipboard held a drawing; if not, `nothingToPaste()` says so.
-bool paste(app::Session& session, app::PastePlace place);
-QString nothingToPaste();
+/// Pastes the drawing on the clipboard, or its text as an object in the font and at the place of
+/// `text`, whose own text does not count. Empty, or why nothing was pasted.
+QString paste(app::Session& session, app::PastePlace place, app::PastedText text);
 void deleteSelection(app::Session& session);
 /// Selects every object that is visible and not locked, in the entered group if there is one.
 void selectAll(app::Session& session);

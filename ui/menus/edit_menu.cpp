@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lettering/lettering.h"
 #include "app/session/window_steps.h"
 #include "ui/bars/option_bar.h"
 #include "ui/editing/editing.h"
@@ -8,25 +9,48 @@
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
+#include <QCursor>
 #include <QMenu>
 
 namespace ui {
 
 namespace {
 
-/// The clipboard now holds a drawing, so a warning that it does not is outdated.
+/// The last warning that nothing was pasted.
+QString& pasteWarning()
+{
+    static QString warning;
+    return warning;
+}
+
+/// The clipboard now holds something else, so a warning about it is outdated.
 void withdrawWarning(MainWindow& window)
 {
-    if (window.message() == nothingToPaste())
+    if (!window.message().isEmpty() && window.message() == pasteWarning())
         window.tell({});
+}
+
+/// A text stands where the pointer is, or in the middle of the drawing.
+app::PastedText textToPaste(const Canvas& canvas)
+{
+    const app::View& view = canvas.view();
+    app::Point place = view.size * 0.5;
+    if (const QWidget* surface = canvas.paneSurface(canvas.panes().active())) {
+        const QPoint pointer = surface->mapFromGlobal(QCursor::pos());
+        if (surface->isVisible() && surface->rect().contains(pointer))
+            place = {pointer.x(), pointer.y()};
+    }
+    const auto kept = canvas.keptNumbers("text");
+    return {{}, canvas.keptFont(), kept ? (*kept)[0] : app::usualTextSize, view.toDrawing(place)};
 }
 
 void pasteOrWarn(MainWindow& window, app::PastePlace place)
 {
-    if (paste(window.session(), place))
-        withdrawWarning(window);
-    else
-        window.tell({Message::Kind::Warning, nothingToPaste()});
+    const QString why = paste(window.session(), place, textToPaste(window.canvas()));
+    withdrawWarning(window);
+    pasteWarning() = why;
+    if (!why.isEmpty())
+        window.tell({Message::Kind::Warning, why});
 }
 
 /// With the tool Nodes, the selected nodes are meant.

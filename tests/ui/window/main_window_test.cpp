@@ -496,10 +496,10 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
-        const QString warning = "The clipboard holds no drawing. Copy lines first.";
+        const QString warning = "The clipboard holds no drawing and no text. Copy lines first.";
         const auto shapes = [&] { return sheetOf(t.window->session().document).shapes.size(); };
         for (const char* next : {"copy", "paste"}) {
-            QGuiApplication::clipboard()->setText("copy");
+            QGuiApplication::clipboard()->setText(" ");
             t.action("paste")->trigger();
             QCOMPARE(t.window->message(), warning);
             if (next == QByteArray("paste")) // from another window
@@ -517,6 +517,41 @@ private slots:
         t.action("copy")->trigger();
         t.action("paste")->trigger();
         QCOMPARE(t.window->message(), "Another warning.");
+    }
+    void aTextIsPastedWhereThePointerIs()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        t.show();
+        app::Session& session = t.window->session();
+        QGuiApplication::clipboard()->setText("Wall");
+        const QPoint pointer(200, 150);
+        QCursor::setPos(t.drawingArea()->mapToGlobal(pointer));
+        t.action("paste")->trigger();
+        QCOMPARE(session.now().objects().size(), std::size_t(2));
+        QCOMPARE(session.selection(), app::ObjectRanges({1}));
+        const app::ObjectView text = session.now().objects()[1];
+        const auto* recipe = std::get_if<app::TextRecipe>(&text.particulars().recipe);
+        QVERIFY(recipe);
+        QCOMPARE(recipe->text, "Wall");
+        const auto box = app::boundsOf(session.scene.lines(), session.selection());
+        QVERIFY(box);
+        const auto at = t.window->canvas().view().toScreen((box->min + box->max) * 0.5);
+        QVERIFY2(std::abs(at.x - pointer.x()) < 2 && std::abs(at.y - pointer.y()) < 2,
+                 qPrintable(QString("%1 %2").arg(at.x).arg(at.y)));
+        t.action("undo")->trigger();
+        QCOMPARE(session.now().objects().size(), std::size_t(1));
+    }
+    void aPictureIsNotPasted()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        QImage picture(4, 4, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QGuiApplication::clipboard()->setImage(picture);
+        t.action("paste")->trigger();
+        QVERIFY(t.window->message().startsWith("The clipboard holds a picture"));
+        QCOMPARE(t.window->session().history.count(), 0);
     }
     void clipboardAndSelection()
     {
