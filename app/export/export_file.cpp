@@ -3,6 +3,8 @@
 
 #include "app/base/text.h"
 
+#include <QBuffer>
+
 #include <new>
 
 namespace app {
@@ -55,6 +57,27 @@ ExportResult exportFile(const ExportJob& job, const QString& path, const Followe
     static_cast<WriteResult&>(end) =
         resultOf([&] { return write(job, path, follower, end); }, follower.stop, outOfMemory);
     return end;
+}
+
+Result<QByteArray> exportedContent(const ExportJob& job, const Follower& follower)
+{
+    using Content = Result<QByteArray>;
+    try {
+        PhasedProgress phases(follower, {cuttingWeight, writingWeight});
+        auto drawing = exportDrawing(job, phases.next());
+        if (!drawing)
+            return Content::failure(drawing.error);
+        drawing.value->options.stop = follower.stop;
+        QBuffer buffer;
+        buffer.open(QIODevice::WriteOnly);
+        if (const auto error =
+                formatOf(job.choice).write(drawing.value->document, buffer, drawing.value->options))
+            return Content::failure(*error);
+        return Content::of(buffer.data());
+    } catch (const std::bad_alloc&) {
+        return Content::failure(
+            Text::tr("There is not enough memory for this. Export a part of the drawing."));
+    }
 }
 
 Result<qint64> exportedBytes(const ExportDrawing& drawing, const Format& format,

@@ -16,6 +16,9 @@ struct ExportResult : WriteResult {
 /// only by a complete new one. A stop request before the end leaves the disk unchanged.
 ExportResult exportFile(const ExportJob& job, const QString& path, const Follower& follower = {});
 
+/// The bytes of the file that exportFile() would write.
+Result<QByteArray> exportedContent(const ExportJob& job, const Follower& follower = {});
+
 /// The bytes that the file of a drawing will have; the error is what writing it would say. Nothing
 /// is written, and the drawing is not kept in memory.
 Result<qint64> exportedBytes(const ExportDrawing& drawing, const Format& format,

@@ -12,6 +12,7 @@
 #include <QBuffer>
 
 #include <algorithm>
+#include <array>
 #include <unordered_set>
 
 namespace app {
@@ -134,6 +135,26 @@ std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& 
                                   ContainerId entered)
 {
     return std::make_unique<CopiedDrawing>(only(document, objects, entered));
+}
+
+std::unique_ptr<QMimeData> copiedFile(std::string_view format, const QByteArray& content)
+{
+    struct Kind {
+        std::string_view format;
+        QString type;
+        bool isText;
+    };
+    static const std::array kinds{Kind{"svg", svgType, true}, Kind{"pdf", pdfType, false},
+                                  Kind{"png", pngType, false},
+                                  Kind{"csv", QStringLiteral("text/csv"), true}};
+    auto data = std::make_unique<QMimeData>();
+    const auto* kind = std::ranges::find(kinds, format, &Kind::format);
+    if (kind == kinds.end())
+        return data;
+    data->setData(kind->type, content);
+    if (kind->isText)
+        data->setText(QString::fromUtf8(content));
+    return data;
 }
 
 Document pasted(const QMimeData& data, const Page& page)

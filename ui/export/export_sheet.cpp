@@ -28,7 +28,7 @@ ExportSheet::ExportSheet(app::Session& session, Files& files)
       preview_(new ExportPreview(session, live_)), formats_(new FormatTiles),
       area_(new AreaSection(session, *live_)), options_(new OptionsSection(*live_)),
       result_(new ResultSection(session, *live_)), file_(new QLineEdit), remark_(new LookLabel),
-      export_(plainButton(Text::tr("Export")))
+      copy_(plainButton(Text::tr("Copy"))), export_(plainButton(Text::tr("Export")))
 {
     for (QWidget* section : std::initializer_list<QWidget*>{formats_, area_, options_, result_})
         body().addWidget(section);
@@ -71,6 +71,9 @@ void ExportSheet::addButtons()
     print->setObjectName(QStringLiteral("print-export"));
     print->setToolTip(Text::tr("Print the same area"));
     addToFoot(print, Side::Left);
+    copy_->setObjectName(QStringLiteral("copy-export"));
+    copy_->setToolTip(Text::tr("Put on the clipboard what would be written"));
+    addToFoot(copy_, Side::Left);
     auto* cancel = plainButton(Text::tr("Cancel"));
     cancel->setObjectName(QStringLiteral("cancel-export"));
     addToFoot(cancel);
@@ -79,6 +82,7 @@ void ExportSheet::addButtons()
     export_->setObjectName(QStringLiteral("write-export"));
     wearFont(*export_, 1, QFont::DemiBold); // Enter presses it
     addToFoot(export_);
+    connect(copy_, &QPushButton::clicked, this, [this] { files_.copyExport(live_->job()); });
     connect(cancel, &QPushButton::clicked, this, &Sheet::closeWanted);
     connect(export_, &QPushButton::clicked, this, &ExportSheet::write);
 }
@@ -104,7 +108,8 @@ void ExportSheet::follow()
     options_->follow();
     result_->follow();
     showFile();
-    export_->setEnabled(live_->error().isEmpty());
+    for (QPushButton* button : {export_, copy_})
+        button->setEnabled(live_->error().isEmpty());
     const auto& made = live_->made();
     const QString name = app::latin(app::formatOf(live_->choice()).key).toUpper();
     emit summed(made ? Text::tr("%1, %2 paths").arg(name, app::countText(made->facts.paths))

@@ -55,7 +55,7 @@ private:
     ResultSection* result_;
     QLineEdit* file_;
     LookLabel* remark_;
-    QPushButton* export_;
+    QPushButton *copy_, *export_;
 };
 
 } // namespace ui

@@ -60,6 +60,8 @@ public:
     void saveAs(Answer saved = {});
     /// Writes an export in the background; `written` is told whether the file is there.
     void exportTo(const app::ExportJob& job, const QString& path, Answer written = {});
+    /// Puts on the clipboard what an export would write.
+    void copyExport(const app::ExportJob& job);
     /// Makes the last export of this drawing again, to the same file. False, and nothing is
     /// written: there is none, or it is not known which window or layer it was.
     bool exportAgain();

@@ -2,12 +2,15 @@
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/comparison/cut_text.h"
+#include "app/session/clipboard.h"
 #include "app/session/export_source.h"
 #include "app/session/window_words.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 
+#include <QClipboard>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QSettings>
 
 #include <algorithm>
@@ -95,6 +98,30 @@ bool Files::exportAgain()
     }
     exportTo(job, last->file);
     return true;
+}
+
+void Files::copyExport(const app::ExportJob& job)
+{
+    background_.inTurn([this, job](const Turn& turn) {
+        emit documentWanted();
+        using Content = app::Result<QByteArray>;
+        background_.run(
+            Text::tr("Copying…"),
+            [job](const app::Follower& follower) { return app::exportedContent(job, follower); },
+            [this, job, turn](const std::optional<Content>& made) {
+                if (!made)
+                    return;
+                if (!*made)
+                    return emit told({Message::Kind::Warning, made->error});
+                const app::Format& format = app::formatOf(job.choice);
+                QGuiApplication::clipboard()->setMimeData( // which takes ownership
+                    app::copiedFile(format.key, *made->value).release());
+                emit told(
+                    {Message::Kind::Done, Text::tr("Copied as %1. Paste it in another program.")
+                                              .arg(app::latin(format.key).toUpper())});
+            },
+            InBackground::Cancel::Drops);
+    });
 }
 
 std::optional<app::DrawingExport> Files::lastExport() const

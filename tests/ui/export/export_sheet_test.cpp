@@ -5,12 +5,14 @@
 #include "ui/export/export_sheet.h"
 #include "ui/widgets/segments.h"
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSpinBox>
@@ -75,6 +77,29 @@ class ExportSheetTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void copyPutsOnTheClipboardWhatWouldBeWritten()
+    {
+        Desk t;
+        t.openSheet();
+        t.part<QAbstractButton>("write-export").click();
+        t.window->files().wait();
+        const QByteArray written = contentOf(t.window->files().lastExport()->file);
+        t.openSheet();
+        t.press("copy-export");
+        t.window->files().wait();
+        const QMimeData* copied = QGuiApplication::clipboard()->mimeData();
+        QVERIFY(written.contains("<svg"));
+        QCOMPARE(copied->data("image/svg+xml"), written);
+        QCOMPARE(copied->text(), QString::fromUtf8(written));
+        QVERIFY(t.window->message().startsWith("Copied as SVG"));
+        QVERIFY(t.window->sheet()); // what was chosen stays
+        t.press("export-as-png");
+        t.press("copy-export");
+        t.window->files().wait();
+        copied = QGuiApplication::clipboard()->mimeData();
+        QVERIFY(!QImage::fromData(copied->data("image/png"), "png").isNull());
+        QVERIFY(!copied->hasText());
+    }
     void thePreviewStandsInPlaceOfTheDrawing()
     {
         Desk t;
