@@ -24,6 +24,15 @@ MenuInfo helpMenu()
                     .show = &OtherWindows::help,
                 },
                 {
+                    .key = "first-lesson",
+                    .text = Text::tr("&First lesson"),
+                    .run =
+                        [](MainWindow& w) {
+                            w.showLessons();
+                            w.session().course.begin(0);
+                        },
+                },
+                {
                     .key = "start",
                     .text = Text::tr("Show &start panel"),
                     .run = [](MainWindow& w) { w.raisePanel("start"); },
@@ -45,6 +54,7 @@ MenuInfo helpMenu()
                     .key = "about-qt",
                     .text = Text::tr("About &Qt"),
                     .run = [](MainWindow&) { QApplication::aboutQt(); },
+                    .paletteOnly = true,
                 },
             },
     };
