@@ -29,7 +29,10 @@ const QString foreign = QStringLiteral(SOURCE_DIR "/tests/ui/data/foreign.svg");
 /// No other question is expected.
 struct Answers : ui::Questions {
     using Questions::Questions;
-    Answer saveChanges(const QString&) override { return Answer::DontSave; }
+    void saveChanges(const QString&, std::function<void(Answer)> answered) override
+    {
+        answered(Answer::DontSave);
+    }
 };
 
 QImage rendered(const QString& svg, const QString& png)

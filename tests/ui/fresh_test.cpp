@@ -191,7 +191,6 @@ private slots:
             "JoinDialog",        //
             "WaitingDialog",     //
             "ExportStepsDialog", //
-            "LeftoverPicture",   //
             "Desk",    // holds windows, as the next one; editor/desk_test.cpp looks at both
             "TabMark", //
         };

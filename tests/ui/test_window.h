@@ -50,7 +50,17 @@ public:
         existing = files;
         return overwrite;
     }
-    Answer saveChanges(const QString&) override { return ++asked, answer; }
+    void saveChanges(const QString&, std::function<void(Answer)> answered) override
+    {
+        ++asked;
+        answered(answer);
+    }
+    Leftover leftover = Leftover::Later;
+    void aboutLeftover(const app::Leftover&, std::size_t,
+                       std::function<void(Leftover)> answered) override
+    {
+        answered(leftover);
+    }
     bool saveAsNewFile(const std::vector<app::Loss>&) override { return asNewFile; }
     void showLosses(const QString&, const std::vector<app::Loss>&) override {}
     ChangedFile changedFile = ChangedFile::Cancel;

@@ -3,12 +3,14 @@
 
 #include "app/base/text.h"
 #include "app/formats/loss_text.h"
-#include "ui/dialogs/leftovers_dialog.h"
+#include "app/session/recent_files.h"
 #include "ui/look/text.h"
+#include "ui/widgets/message_strip.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrinter>
@@ -50,6 +52,13 @@ int ask(QWidget& parent, const QString& sentence, const QString& more, const QSt
 struct FileKind {
     QString name, ending;
 };
+
+QString timeText(const QDateTime& time)
+{
+    const QDateTime here = time.toLocalTime();
+    return Text::tr("%1, %2").arg(app::dayText(here.date(), QDate::currentDate()),
+                                  QLocale().toString(here.time(), QStringLiteral("HH:mm")));
+}
 
 QString pathToWrite(QWidget& window, const QString& title, const QString& proposal,
                     const FileKind& kind, QFileDialog::Options options)
@@ -140,12 +149,20 @@ bool Questions::overwriteFiles(const QStringList& existing, int all)
            == 0;
 }
 
-Questions::Answer Questions::saveChanges(const QString& name)
+// The answers are in the order of the enumeration.
+void Questions::saveChanges(const QString& name, std::function<void(Answer)> answered)
 {
-    const int verb = ask(window_, Text::tr("Save the changes to %1?").arg(name),
-                         Text::tr("If you do not save them, they are lost."),
-                         {Text::tr("Save"), Text::tr("Don't Save")});
-    return verb == 0 ? Answer::Save : verb == 1 ? Answer::DontSave : Answer::Cancel;
+    const auto with = [&](Answer answer) { return [answered, answer] { answered(answer); }; };
+    saveChanges_ = strip_->ask({Text::tr("%1 has unsaved changes.").arg(name),
+                                {{Text::tr("Save"), with(Answer::Save)},
+                                 {Text::tr("Don't save"), with(Answer::DontSave)},
+                                 {Text::tr("Cancel"), with(Answer::Cancel)}}});
+}
+
+void Questions::endSaveChanges(Answer answer)
+{
+    if (strip_)
+        strip_->give(saveChanges_, std::size_t(answer));
 }
 
 bool Questions::saveAsNewFile(const std::vector<app::Loss>& losses)
@@ -164,9 +181,18 @@ void Questions::showLosses(const QString& name, const std::vector<app::Loss>& lo
     box.exec();
 }
 
-Questions::LeftoverAnswer Questions::aboutLeftovers(const std::vector<app::Leftover>& leftovers)
+void Questions::aboutLeftover(const app::Leftover& leftover, std::size_t more,
+                              std::function<void(Leftover)> answered)
 {
-    return askAboutLeftovers(window_, leftovers);
+    const auto with = [&](Leftover verb) { return [answered, verb] { answered(verb); }; };
+    const QString sentence = Text::tr("Clearcut ended before %1 was saved. Its last change: %2.")
+                                 .arg(leftover.origin.name, timeText(leftover.ended));
+    const QString others = more == 1 ? Text::tr("One more drawing is unsaved.")
+                                     : Text::tr("%1 more drawings are unsaved.").arg(more);
+    strip_->ask({more == 0 ? sentence : sentence + u' ' + others,
+                 {{Text::tr("Recover"), with(Leftover::Recover)},
+                  {Text::tr("Discard"), with(Leftover::Discard)},
+                  {Text::tr("Later"), with(Leftover::Later)}}});
 }
 
 Questions::ChangedFile Questions::aboutChangedFile(const QString& path)

@@ -6,16 +6,25 @@
 
 #include <QString>
 
+#include <functional>
+
 class QWidget;
 
 class QPrinter;
 
 namespace ui {
 
-/// All questions about files, as dialogs over a window. Tests override its functions.
+class MessageStrip;
+
+/// All questions about files, as dialogs over a window, or in its strip. Tests override its
+/// functions.
 class Questions {
 public:
-    explicit Questions(QWidget& window) : window_(window) {}
+    /// What is asked in the strip is never asked without one.
+    explicit Questions(QWidget& window, MessageStrip* strip = nullptr)
+        : window_(window), strip_(strip)
+    {
+    }
     virtual ~Questions() = default;
 
     enum class Answer : std::uint8_t { Save, DontSave, Cancel };
@@ -43,7 +52,9 @@ public:
     virtual bool choosePrinter(QPrinter& printer);
     /// Some of the `all` files to be written exist; true: overwrite them.
     virtual bool overwriteFiles(const QStringList& existing, int all);
-    virtual Answer saveChanges(const QString& name);
+    /// Asks in the strip; `answered` is called later, unless the window is destroyed before.
+    virtual void saveChanges(const QString& name, std::function<void(Answer)> answered);
+    void endSaveChanges(Answer answer); ///< answers the question if it is open
     /// Saving would make the losses of an import permanent; true: save as a new file.
     virtual bool saveAsNewFile(const std::vector<app::Loss>& losses);
     virtual void showLosses(const QString& name, const std::vector<app::Loss>& losses);
@@ -51,16 +62,16 @@ public:
     enum class ChangedFile : std::uint8_t { Overwrite, Reload, Cancel };
     virtual ChangedFile aboutChangedFile(const QString& path);
 
-    /// Earlier runs ended before these drawings were saved: what to do with one of them.
-    struct LeftoverAnswer {
-        enum class Verb : std::uint8_t { Recover, Discard, Later };
-        Verb verb = Verb::Later;
-        std::size_t which = 0; ///< not for Later
-    };
-    virtual LeftoverAnswer aboutLeftovers(const std::vector<app::Leftover>& leftovers);
+    /// An earlier run ended before a drawing was saved, and `more` others. Asks in the strip, as
+    /// saveChanges().
+    enum class Leftover : std::uint8_t { Recover, Discard, Later };
+    virtual void aboutLeftover(const app::Leftover& leftover, std::size_t more,
+                               std::function<void(Leftover)> answered);
 
 private:
     QWidget& window_;
+    MessageStrip* strip_;
+    int saveChanges_ = 0; ///< the last such question in the strip
 };
 
 } // namespace ui

@@ -89,19 +89,19 @@ void Desk::keepJournals(const QString& folder)
 
 void Desk::offerRecovery()
 {
-    Recovery& first = *open_.front().recovery;
-    first.setPlace([this]() -> Recovery& {
-        MainWindow* window = unused(current());
-        showWindow(window ? *window : *add().window);
-        return *open_[current_].recovery;
-    });
-    first.offer();
+    open_[current_].recovery->offer();
 }
 
 void Desk::addRecovery(Open& open)
 {
-    if (!folder_.isEmpty() && !open.recovery)
-        open.recovery = std::make_unique<Recovery>(*open.window, folder_);
+    if (folder_.isEmpty() || open.recovery)
+        return;
+    open.recovery = std::make_unique<Recovery>(*open.window, folder_);
+    open.recovery->setPlace([this]() -> Recovery& {
+        MainWindow* window = unused(current());
+        showWindow(window ? *window : *add().window);
+        return *open_[current_].recovery;
+    });
 }
 
 std::size_t Desk::numberOf(const MainWindow& window) const
@@ -289,9 +289,9 @@ bool Desk::eventFilter(QObject* watched, QEvent* event)
 void Desk::closeEvent(QCloseEvent* event)
 {
     event->ignore();
-    if (leaving_ == Leaving::No) {
+    if (leaving_ != Leaving::Agreed) { // again: about what is left to ask, in front
         leaving_ = Leaving::Asking;
-        askFrom(0);
+        askNext();
     }
     if (leaving_ != Leaving::Agreed)
         return;
@@ -300,23 +300,39 @@ void Desk::closeEvent(QCloseEvent* event)
     event->accept();
 }
 
-void Desk::askFrom(std::size_t number)
+/// Each drawing is asked about at the step it has: who goes on drawing is asked again.
+void Desk::askNext()
 {
-    if (number == open_.size()) {
-        leaving_ = Leaving::Agreed;
-        // close() inside closeEvent would do nothing.
-        return void(QMetaObject::invokeMethod(
-            this, [this] { close(); }, Qt::QueuedConnection));
+    const int round = ++round_; // of questions; one that is asked again withdraws the one before
+    for (Open& open : open_) {
+        MainWindow& window = *open.window;
+        window.canvas().endGesture(); // which may be its only change
+        const std::uint64_t step = window.session().document.revision();
+        if (open.mayClose == step)
+            continue;
+        if (!window.session().history.isClean())
+            showWindow(window);
+        return window.files().mayClose([this, &window, step, round](bool agreed) {
+            if (round != round_)
+                return;
+            const std::size_t number = numberOf(window);
+            if (!agreed || number == open_.size())
+                return stay();
+            open_[number].mayClose = step;
+            askNext();
+        });
     }
-    MainWindow& window = *open_[number].window;
-    window.canvas().endGesture(); // which may be its only change
-    if (!window.session().history.isClean())
-        showWindow(window);
-    window.files().mayClose([this, number](bool agreed) {
-        if (agreed)
-            return askFrom(number + 1);
-        leaving_ = Leaving::No;
-    });
+    leaving_ = Leaving::Agreed;
+    // close() inside closeEvent would do nothing.
+    QMetaObject::invokeMethod(
+        this, [this] { close(); }, Qt::QueuedConnection);
+}
+
+void Desk::stay()
+{
+    leaving_ = Leaving::No;
+    for (Open& open : open_)
+        open.mayClose.reset();
 }
 
 } // namespace ui

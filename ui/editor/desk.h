@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QDockWidget;
@@ -43,7 +44,7 @@ public:
     bool canReopen() const override { return !closed_.isEmpty(); }
 
     using QWidget::close;
-    bool isLeaving() const { return leaving_ != Leaving::No; } ///< the program is being quit
+    bool isLeaving() const { return leaving_ == Leaving::Agreed; } ///< all may be closed
 
 signals:
     void made(MainWindow& window); ///< a further one
@@ -58,6 +59,8 @@ private:
         MainWindow* window;
         std::unique_ptr<Recovery> recovery{};
         QList<QPointer<QDockWidget>> floating{}; ///< panels to show again with the window
+        /// The revision at which the person agreed to quit.
+        std::optional<std::uint64_t> mayClose{};
     };
     std::size_t numberOf(const MainWindow& window) const; ///< count(): it is being closed
     Open& add();
@@ -69,7 +72,8 @@ private:
     void remove(std::size_t number);
     void move(int from, int to);
     void showTabs();
-    void askFrom(std::size_t number);
+    void askNext();
+    void stay();
 
     Backend backend_;
     int most_ = 30; ///< each needs some 10 MB and a moment when the program starts or ends
@@ -80,6 +84,7 @@ private:
     QString folder_;     ///< of journals; empty: none are kept
     enum class Leaving : std::uint8_t { No, Asking, Agreed };
     Leaving leaving_ = Leaving::No;
+    int round_ = 0;
 };
 
 } // namespace ui

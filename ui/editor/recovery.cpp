@@ -16,12 +16,6 @@
 
 namespace ui {
 
-namespace {
-
-using Verb = Questions::LeftoverAnswer::Verb;
-
-} // namespace
-
 /// A signal ends the process for all of them.
 struct Recovery::Watch {
     static std::shared_ptr<Watch> get()
@@ -136,19 +130,25 @@ void Recovery::offer()
 
 void Recovery::ask(std::vector<app::Leftover> found)
 {
-    while (!found.empty()) {
-        const auto [verb, which] = window_.files().questions().aboutLeftovers(found);
-        if (verb == Verb::Later || which >= found.size())
+    if (found.empty())
+        return;
+    app::Leftover first = found.front();
+    found.erase(found.begin());
+    using Verb = Questions::Leftover;
+    const auto follow = [self = QPointer(this), first, found](Verb verb) mutable {
+        if (!self || verb == Verb::Later)
             return;
-        app::Leftover chosen = std::move(found[which]);
-        found.erase(found.begin() + std::ptrdiff_t(which));
-        if (verb == Verb::Recover)
-            return (place_ ? place_() : *this).recover(chosen, [this, found](bool recovered) {
-                if (!recovered || place_) // there is a window for the next one
-                    ask(found);
-            });
-        app::discard(chosen);
-    }
+        if (verb == Verb::Discard) {
+            app::discard(first);
+            return self->ask(std::move(found));
+        }
+        Recovery& there = self->place_ ? self->place_() : *self;
+        there.recover(first, [there = QPointer(&there), found](bool recovered) {
+            if (there && (!recovered || there->place_)) // there is a window for the next one
+                there->ask(found);
+        });
+    };
+    window_.files().questions().aboutLeftover(first, found.size(), follow);
 }
 
 /// Replaces the drawing in the window, unless the person keeps it or the leftover is unreadable.

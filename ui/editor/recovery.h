@@ -27,11 +27,11 @@ public:
                       const app::Journal::Limits& limits = {});
     ~Recovery() override;
 
-    /// Asks about the leftovers until one is recovered or the person postpones; the others wait for
+    /// Asks about one leftover after the other until the person postpones; then the others wait for
     /// the next start. Begins when the window's file is read.
     void offer();
-    /// Gives each leftover that is recovered a window of its own. Without it, this window shows
-    /// one.
+    /// Gives each leftover that is recovered a window of its own, which asks about the next one.
+    /// Without it, this window shows one.
     using Place = std::function<Recovery&()>;
     void setPlace(Place place) { place_ = std::move(place); }
 

@@ -14,6 +14,8 @@ Files::Files(app::Session& session, QWidget& window, std::unique_ptr<Questions> 
 {
     connect(&session, &app::Session::fileChanged, this, &Files::nameChanged);
     connect(&session, &app::Session::loaded, this, [this] { exported_.reset(); });
+    connect(&session.history, &app::History::indexChanged, this,
+            [this] { questions_->endSaveChanges(Questions::Answer::Cancel); });
     connect(&background_, &InBackground::ranOutOfMemory, this, [this] {
         emit told(
             {Message::Kind::Warning,

@@ -129,7 +129,9 @@ private:
     void setAside(app::Leftover leftover, const QString& error);
 
     // Parts of a turn that their answer holds.
-    void keepChanges(const Answer& mayReplace);
+    /// `then` is called in the same turn, or in one of its own if the person answers later.
+    using Replacing = std::function<void(bool mayReplace, const Turn& turn)>;
+    void keepChanges(const Turn& turn, const Replacing& then);
     void saveNow(const Answer& saved);
     void askPath(const Answer& saved);
     void write(const QString& path, const Answer& saved);

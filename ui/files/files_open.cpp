@@ -63,9 +63,9 @@ app::Document emptyDrawing()
 void Files::replace(std::function<void(const Turn&)> then)
 {
     background_.inTurn([this, then = std::move(then)](const Turn& turn) {
-        keepChanges([then, turn](bool mayReplace) {
+        keepChanges(turn, [then](bool mayReplace, const Turn& now) {
             if (mayReplace)
-                then(turn);
+                then(now);
         });
     });
 }
@@ -147,8 +147,8 @@ void Files::open(const QString& path)
         return there ? there->open(path) : void();
     opening_ = absolute;
     background_.inTurn([this, absolute](const Turn& turn) {
-        keepChanges([this, absolute, turn](bool mayReplace) {
-            mayReplace ? read(absolute, turn) : opening_.clear();
+        keepChanges(turn, [this, absolute](bool mayReplace, const Turn& now) {
+            mayReplace ? read(absolute, now) : opening_.clear();
         });
     });
 }

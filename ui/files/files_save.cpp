@@ -26,7 +26,9 @@ Files::Answer inTurn(const InBackground::Turn& turn, Files::Answer answer)
 
 void Files::mayClose(const Answer& answer)
 {
-    background_.inTurn([=, this](const Turn& turn) { keepChanges(inTurn(turn, answer)); });
+    background_.inTurn([=, this](const Turn& turn) {
+        keepChanges(turn, [answer](bool yes, const Turn&) { answer(yes); });
+    });
 }
 
 void Files::save(Answer saved)
@@ -42,19 +44,25 @@ void Files::saveAs(Answer saved)
     });
 }
 
-void Files::keepChanges(const Answer& mayReplace)
+// The drawing stays alive while the question is open. A further step or another question withdraws
+// it: the person goes on.
+void Files::keepChanges(const Turn& turn, const Replacing& then)
 {
     emit documentWanted();
     if (session_.history.isClean() || app::isUnchangedSample(sample_, session_.now()))
-        return mayReplace(true);
-    switch (questions_->saveChanges(name())) {
-    case Questions::Answer::Save:
-        return saveNow(mayReplace);
-    case Questions::Answer::DontSave:
-        return mayReplace(true);
-    case Questions::Answer::Cancel:
-        return mayReplace(false);
-    }
+        return then(true, turn);
+    questions_->endSaveChanges(Questions::Answer::Cancel);
+    const auto follow = [this, then](Questions::Answer answer, const Turn& now) {
+        if (answer == Questions::Answer::Save)
+            return saveNow([then, now](bool saved) { then(saved, now); });
+        then(answer == Questions::Answer::DontSave, now);
+    };
+    const auto answered = [this, follow, asking = std::weak_ptr(turn)](Questions::Answer answer) {
+        if (const Turn now = asking.lock())
+            return follow(answer, now);
+        background_.inTurn([follow, answer](const Turn& later) { follow(answer, later); });
+    };
+    questions_->saveChanges(name(), answered);
 }
 
 void Files::saveNow(const Answer& saved)
@@ -128,6 +136,8 @@ void Files::noteSaved(const app::Saved& saved, const QString& path)
     noteRecent();
     emit nameChanged();
     emit told({});
+    if (session_.history.isClean()) // saved while the question was open
+        questions_->endSaveChanges(Questions::Answer::DontSave);
 }
 
 } // namespace ui

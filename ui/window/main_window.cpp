@@ -40,7 +40,7 @@ constexpr QSize smallest(1024, 640), usualSize(1280, 800);
 MainWindow::MainWindow(Backend backend, QWidget* parent)
     : QMainWindow(parent), theme_(savedTheme()), canvas_(new Canvas(session_, backend)),
       strip_(new MessageStrip),
-      files_(std::make_unique<Files>(session_, *this, std::make_unique<Questions>(*this)))
+      files_(std::make_unique<Files>(session_, *this, std::make_unique<Questions>(*this, strip_)))
 {
     if (parent)
         setWindowFlags(Qt::Widget); // one of several in the program's window

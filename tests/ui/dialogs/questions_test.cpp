@@ -60,9 +60,6 @@ private slots:
         answer = true;
         QCOMPARE(answeredByReturn([&] { answer = questions.trustLibrary("/a/b.so"); }), "Cancel");
         QVERIFY(!answer);
-        Questions::Answer saving{};
-        QCOMPARE(answeredByReturn([&] { saving = questions.saveChanges("b"); }), "Save");
-        QCOMPARE(saving, Questions::Answer::Save);
     }
 
     void onlyWhatCanBeReadIsOffered()

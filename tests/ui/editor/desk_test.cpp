@@ -2,92 +2,20 @@
 #include "app/commands/move_objects.h"
 #include "app/recovery/replay.h"
 #include "app/session/export_source.h"
-#include "ui/editor/desk.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/window/drawing_tabs.h"
 #include "ui/window/workspaces.h"
 
 #include <QApplication>
 #include <QMimeData>
-#include <QTabBar>
 
 #include "tests/content_of.h"
 #include "tests/test_class.h"
-#include "tests/ui/test_window.h"
+#include "tests/ui/editor/test_desk.h"
 
 namespace editor_desk_test {
 
 using namespace ui;
-
-namespace {
-
-/// The program's window with prepared answers in each of its drawings.
-struct TestDesk {
-    TestDesk()
-    {
-        liveIn(folder);
-        desk = std::make_unique<Desk>(Backend::Raster);
-        QObject::connect(desk.get(), &Desk::made, [this](MainWindow& window) { prepare(window); });
-        prepare(desk->current());
-        desk->resize(1280, 800);
-        static_cast<QWidget&>(*desk).show();
-        [[maybe_unused]] const bool shown = QTest::qWaitForWindowExposed(desk.get());
-        desk->activateWindow();
-    }
-    void prepare(MainWindow& window)
-    {
-        auto prepared = std::make_unique<PreparedAnswers>(window);
-        answers[&window] = prepared.get();
-        window.setQuestions(std::move(prepared));
-    }
-    PreparedAnswers& answersOf(MainWindow& window) { return *answers[&window]; }
-    QString file(const QString& name, double x = 5) const
-    {
-        QFile out(folder.filePath(name));
-        QDir().mkpath(QFileInfo(out).path());
-        [[maybe_unused]] const bool open = out.open(QIODevice::WriteOnly);
-        out.write(QStringLiteral("<svg xmlns='http://www.w3.org/2000/svg' width='100mm' "
-                                 "height='100mm' viewBox='0 0 100 100'><path d='M0 50H100M0 5H%1' "
-                                 "stroke='#000' fill='none'/></svg>")
-                      .arg(x)
-                      .toUtf8());
-        return out.fileName();
-    }
-    void open(const QString& path) const
-    {
-        desk->current().files().open(path);
-        for (int i = 0; i < desk->count(); ++i)
-            desk->at(i).files().wait();
-    }
-    QAction* action(const char* name) const
-    {
-        return desk->current().findChild<QAction*>(name, Qt::FindDirectChildrenOnly);
-    }
-    void run(const char* command) const
-    {
-        action(command)->trigger();
-        desk->current().files().wait();
-    }
-    static void edit(MainWindow& window)
-    {
-        app::Session& session = window.session();
-        session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
-    }
-    QTabBar& tabs() const { return *desk->current().findChild<QTabBar*>("drawing-tabs"); }
-    QStringList names() const
-    {
-        QStringList all;
-        for (int i = 0; i < tabs().count(); ++i)
-            all << tabs().tabText(i);
-        return all;
-    }
-
-    QTemporaryDir folder;
-    std::map<MainWindow*, PreparedAnswers*> answers;
-    std::unique_ptr<Desk> desk;
-};
-
-} // namespace
 
 class DeskTest : public QObject {
     Q_OBJECT
@@ -448,14 +376,11 @@ private slots:
         t.desk.reset();
         QVERIFY(journals().isEmpty());
         TestDesk next;
-        struct RecoverAll : PreparedAnswers {
-            using PreparedAnswers::PreparedAnswers;
-            LeftoverAnswer aboutLeftovers(const std::vector<app::Leftover>&) override
-            {
-                return {LeftoverAnswer::Verb::Recover, 0};
-            }
+        const auto recoverAll = [&](MainWindow& window) {
+            next.answersOf(window).leftover = Questions::Leftover::Recover;
         };
-        next.desk->current().setQuestions(std::make_unique<RecoverAll>(next.desk->current()));
+        QObject::connect(next.desk.get(), &Desk::made, recoverAll);
+        recoverAll(next.desk->current());
         next.desk->keepJournals(kept);
         next.desk->offerRecovery();
         const auto allIdle = [&] {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/unfinished.h"
 #include "app/recovery/replay.h"
-#include "ui/dialogs/leftover_picture.h"
 #include "ui/editor/editor.h"
 #include "ui/files/files.h"
+#include "ui/widgets/message_strip.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
@@ -18,7 +19,6 @@
 #include <QTest>
 #include <QThread>
 #include <QTimer>
-#include <QTreeWidget>
 
 #include <atomic>
 #include <csignal>
@@ -73,50 +73,33 @@ void clickCorners(MainWindow& window)
         QTest::mouseClick(area(window), Qt::LeftButton, {}, corner);
 }
 
-QDialog* offer()
+/// The strip that asks about a drawing; null: none does.
+ui::MessageStrip* offer()
 {
-    for (QWidget* widget : QApplication::topLevelWidgets())
-        if (auto* dialog = qobject_cast<QDialog*>(widget);
-            dialog && dialog->isVisible() && dialog->objectName() == "leftovers")
-            return dialog;
+    if (const MainWindow* window = mainWindow())
+        for (auto* strip : window->findChildren<ui::MessageStrip*>())
+            if (strip->asks())
+                return strip;
     return nullptr;
 }
 
-/// The rows of the offer, with their number first.
+/// The number of drawings that are offered, and the first one's name.
 void sayOffer()
 {
-    QStringList rows;
-    if (const QDialog* dialog = offer()) {
-        const auto* list = dialog->findChild<QTreeWidget*>();
-        for (int i = 0; i < list->topLevelItemCount(); ++i)
-            rows << list->topLevelItem(i)->text(0);
-        rows.sort();
-    }
-    say(QString("offers %1: %2").arg(rows.size()).arg(rows.join(", ")));
+    const QString asked = offer() ? offer()->findChild<QLabel*>()->text() : QString();
+    const int count = asked.isEmpty() ? 0 : asked.contains("One more") ? 2 : 1;
+    const QString name = asked.section("before ", 1).section(" was saved", 0, 0);
+    say(QString("offers %1: %2").arg(count).arg(name));
 }
 
 void press(const QString& verb)
 {
-    const QDialog* dialog = offer();
-    if (!dialog)
+    const auto* strip = offer();
+    if (!strip)
         return;
-    for (QPushButton* button : dialog->findChildren<QPushButton*>())
+    for (QPushButton* button : strip->findChildren<QPushButton*>())
         if (button->text() == verb)
             return button->click();
-}
-
-/// Whether the picture in the dialog shows the horizontal line in the middle of the page.
-bool showsDrawing(const QDialog& dialog)
-{
-    const QImage picture = dialog.findChild<ui::LeftoverPicture*>()->grab().toImage();
-    for (int y = picture.height() / 2 - 3; y < picture.height() / 2 + 3; ++y) {
-        int dark = 0;
-        for (int x = 1; x < picture.width() - 1; ++x)
-            dark += picture.pixelColor(x, y).lightness() < 120;
-        if (dark > picture.width() / 2)
-            return true;
-    }
-    return false;
 }
 
 void sayDrawing(const MainWindow& window)
@@ -151,7 +134,7 @@ void recover(MainWindow& window, const std::function<void()>& then)
 {
     if (!offer())
         return then();
-    press("Recover drawing");
+    press("Recover");
     // Until then, input is held back.
     when([&window] { return window.isWindowModified() && !window.files().busy(); }, then);
 }
@@ -250,11 +233,6 @@ const std::map<QString, Scenario>& scenarios()
                  sayDrawing(w), ready();
              });
          }},
-        {"look at the picture",
-         [](MainWindow&) {
-             when([] { return offer() && showsDrawing(*offer()); },
-                  [] { say("picture shown"), ready(); });
-         }},
         {"recover and draw", [](MainWindow& w) { recover(w, [&w] { drawLine(w), ready(); }); }},
         {"recover and save",
          [](MainWindow& w) {
@@ -268,10 +246,10 @@ const std::map<QString, Scenario>& scenarios()
          [](MainWindow&) {
              sayOffer();
              const auto count = filesLeft();
-             press("Discard drawing");
+             press("Discard");
              when([count] { return filesLeft() < count; }, ready);
          }},
-        {"not now", [](MainWindow&) { sayOffer(), press("Keep for later"), ready(); }},
+        {"not now", [](MainWindow&) { sayOffer(), press("Later"), ready(); }},
     };
     return all;
 }
@@ -500,14 +478,6 @@ private slots:
         QVERIFY2(editor.said.contains("offers 0"), qPrintable(editor.said));
         QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
     }
-    void theOfferShowsAPicture()
-    {
-        const Home home;
-        QVERIFY(leave(home, "draw"));
-        Editor editor(home, "look at the picture", {});
-        QVERIFY2(editor.waitsUntilReady(), qPrintable(editor.said));
-        QVERIFY(editor.said.contains("picture shown"));
-    }
     void undoLeadsBackToTheSavedFile()
     {
         const Home home;
@@ -536,7 +506,7 @@ private slots:
         QVERIFY(found);
         QCOMPARE(found.value->history.index, 1);
     }
-    void severalDrawingsAreOfferedTogetherWithoutGarbage()
+    void severalDrawingsAreOfferedWithoutGarbage()
     {
         const Home home;
         QVERIFY(leave(home, "draw"));
@@ -545,8 +515,8 @@ private slots:
         QVERIFY(garbage.open(QIODevice::WriteOnly));
         garbage.write("\0<?clearcut-unsaved \xff", 21);
         garbage.close();
-        const QStringList expected{"offers 2: plan.svg, plan.svg", "offers 2: plan.svg, plan.svg",
-                                   "offers 1: plan.svg", "offers 0"};
+        const QStringList expected{"offers 2: plan.svg", "offers 2: plan.svg", "offers 1: plan.svg",
+                                   "offers 0"};
         const QStringList scenarios{"not now", "discard", "recover and save", "look"};
         for (qsizetype i = 0; i < scenarios.size(); ++i) {
             Editor editor(home, scenarios[i] == "look" ? "recover" : scenarios[i], {});

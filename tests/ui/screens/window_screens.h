@@ -67,6 +67,17 @@ inline std::unique_ptr<QWidget> strip(Message::Kind kind)
     return strip;
 }
 
+inline std::unique_ptr<QWidget> question()
+{
+    auto strip = std::make_unique<MessageStrip>();
+    strip->resize(700, 36);
+    strip->ask({QStringLiteral("plan.svg has unsaved changes."),
+                {{QStringLiteral("Save"), [] {}},
+                 {QStringLiteral("Don't save"), [] {}},
+                 {QStringLiteral("Cancel"), [] {}}}});
+    return strip;
+}
+
 inline std::unique_ptr<QWidget> waiting()
 {
     auto dialog = std::make_unique<WaitingDialog>(QStringLiteral("Cutting 1,000 objects"), nullptr);
@@ -200,6 +211,7 @@ inline void addWindows(std::vector<Screen>& screens)
     screens.push_back(part("dialog-waiting", waiting));
     screens.push_back(part("strip-done", [] { return strip(Message::Kind::Done); }));
     screens.push_back(part("strip-warning", [] { return strip(Message::Kind::Warning); }));
+    screens.push_back(part("strip-question", question));
     screens.push_back(dialog("dialog-repeat", "repeat"));
     screens.push_back(dialog("dialog-margin", "window-inside-margin"));
     screens.push_back(palette("palette", Theme::Light, "window"));
