@@ -2,6 +2,7 @@
 #include "app/session/recent_files.h"
 
 #include "app/base/text.h"
+#include "app/settings/remembered.h"
 
 #include <QFileInfo>
 #include <QLocale>
@@ -13,7 +14,6 @@ namespace app {
 
 namespace {
 
-constexpr qsizetype longestPath = 4096; // characters
 const QString recentFilesKey = QStringLiteral("recent");
 
 /// One text for each file, so that the settings file stays readable for people.
@@ -28,10 +28,7 @@ QString written(const RecentFile& file)
 std::optional<RecentFile> read(const QString& text)
 {
     const QString path = text.section(u' ', 2);
-    // Other programs may have written the settings file.
-    const bool garbled =
-        std::ranges::any_of(path, [](QChar c) { return c.category() == QChar::Other_Control; });
-    if (path.size() > longestPath || garbled || !QFileInfo(path).isAbsolute())
+    if (!isUsablePath(path))
         return std::nullopt;
     return RecentFile{path, std::size_t(text.section(u' ', 1, 1).toULongLong()),
                       QDateTime::fromString(text.section(u' ', 0, 0), Qt::ISODate)};

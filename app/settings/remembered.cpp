@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QSettings>
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -31,9 +32,14 @@ double rememberedNumber(const QString& key, double least, double most, double us
 QString rememberedFolder(const QString& key, const QString& usual)
 {
     const QString folder = QSettings().value(key).toString();
-    const bool usable =
-        folder.size() <= longestPath && QFileInfo(folder).isAbsolute() && QFileInfo(folder).isDir();
-    return usable ? folder : usual;
+    return isUsablePath(folder) && QFileInfo(folder).isDir() ? folder : usual;
+}
+
+bool isUsablePath(const QString& path)
+{
+    const auto isControl = [](QChar c) { return c.category() == QChar::Other_Control; };
+    return path.size() <= longestPath && QFileInfo(path).isAbsolute()
+           && std::ranges::none_of(path, isControl);
 }
 
 namespace {

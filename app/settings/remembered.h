@@ -19,6 +19,9 @@ double rememberedNumber(const QString& key, double least, double most, double us
 /// The absolute path of a folder that exists; `usual` if the file has no such path.
 QString rememberedFolder(const QString& key, const QString& usual);
 
+/// Whether a text can be the path of a file: absolute, printable and not too long.
+bool isUsablePath(const QString& path);
+
 /// Prepends a checksum to `bytes`, for readers that trust their input (QMainWindow::restoreState
 /// crashes on a single damaged byte).
 QByteArray sealed(const QByteArray& bytes);

@@ -59,7 +59,10 @@ class HostileSettingsTest : public QObject {
                 "export/drawings",
                 "print/paper",
                 "shortcuts",
-                "lessons/done"};
+                "lessons/done",
+                "drawings/open",
+                "drawings/shown",
+                "drawings/reopen"};
     }
 
     static bool fits(const QWidget& window)

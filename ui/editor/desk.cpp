@@ -13,6 +13,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QSettings>
 #include <QStackedLayout>
 
 #include <algorithm>
@@ -42,27 +43,30 @@ Desk::~Desk()
 {
     for (Open& open : open_) {
         open.recovery.reset(); // before its window
-        open.window->removeEventFilter(this);
+        if (open.window)
+            open.window->removeEventFilter(this);
         delete open.window;
     }
 }
 
-Desk::Open& Desk::add()
+Desk::Open& Desk::add() { return addWindow(open_.emplace_back()); }
+
+Desk::Open& Desk::addWindow(Open& open)
 {
     auto* window = new MainWindow(backend_, this);
+    open.window = window;
     addMenus(*window);
     window->setDrawings(this);
     window->files().setOthers(
         [this, window](const QString& path) { return placeFor(*window, path); },
         [this, window](const QString& path) {
-            return std::ranges::any_of(open_, [&](const Open& open) {
-                return open.window != window && open.window->files().holds(path);
-            });
+            return std::ranges::any_of(
+                open_, [&](const Open& one) { return one.window != window && holds(one, path); });
         });
     window->installEventFilter(this);
     DrawingTabs& tabs = window->drawingTabs();
-    connect(&tabs, &DrawingTabs::chosen, this, [this](int tab) { showWindow(at(tab)); });
-    connect(&tabs, &DrawingTabs::closeWanted, this, [this](int tab) { close(at(tab)); });
+    connect(&tabs, &DrawingTabs::chosen, this, &Desk::showTab);
+    connect(&tabs, &DrawingTabs::closeWanted, this, &Desk::closeTab);
     connect(&tabs, &DrawingTabs::moved, this, &Desk::move);
     connect(&tabs, &DrawingTabs::newWanted, this, [this] { current().files().startNew(); });
     connect(
@@ -74,10 +78,14 @@ Desk::Open& Desk::add()
         Qt::QueuedConnection);
     connect(&window->files(), &Files::nameChanged, this, &Desk::showTabs, Qt::QueuedConnection);
     pages_->addWidget(window);
-    open_.push_back({window});
-    addRecovery(open_.back());
+    addRecovery(open);
     emit made(*window);
-    return open_.back();
+    return open;
+}
+
+bool Desk::holds(const Open& open, const QString& path) const
+{
+    return open.window ? open.window->files().holds(path) : Files::areSame(open.file, path);
 }
 
 void Desk::keepJournals(const QString& folder)
@@ -87,21 +95,30 @@ void Desk::keepJournals(const QString& folder)
         addRecovery(open);
 }
 
-void Desk::offerRecovery()
-{
-    open_[current_].recovery->offer();
-}
+void Desk::offerRecovery() { open_[current_].recovery->offer(); }
 
 void Desk::addRecovery(Open& open)
 {
-    if (folder_.isEmpty() || open.recovery)
+    if (folder_.isEmpty() || !open.window || open.recovery)
         return;
     open.recovery = std::make_unique<Recovery>(*open.window, folder_);
-    open.recovery->setPlace([this]() -> Recovery& {
-        MainWindow* window = unused(current());
-        showWindow(window ? *window : *add().window);
-        return *open_[current_].recovery;
-    });
+    open.recovery->setPlace(
+        [this](const QString& path) -> Recovery& { return placeToRecover(path); });
+}
+
+/// The tab of the same file, unless it has changes of its own; or an unused one, or a further one.
+Recovery& Desk::placeToRecover(const QString& path)
+{
+    const auto has = [&](const Open& open) {
+        return !path.isEmpty() && holds(open, path)
+               && (!open.window || open.window->session().history.isClean());
+    };
+    const auto same = std::ranges::find_if(open_, has);
+    MainWindow* window = same == open_.end() ? unused(current())
+                         : same->window      ? same->window
+                                             : addWindow(*same).window;
+    showWindow(window ? *window : *add().window);
+    return *open_[current_].recovery;
 }
 
 std::size_t Desk::numberOf(const MainWindow& window) const
@@ -115,7 +132,7 @@ MainWindow* Desk::unused(MainWindow& asking)
     if (asking.files().isUnused())
         return &asking;
     const auto found = std::ranges::find_if(
-        open_, [](const Open& open) { return open.window->files().isUnused(); });
+        open_, [](const Open& open) { return open.window && open.window->files().isUnused(); });
     return found == open_.end() ? nullptr : found->window;
 }
 
@@ -123,13 +140,22 @@ Files* Desk::placeFor(MainWindow& from, const QString& path)
 {
     MainWindow& asking = numberOf(from) == open_.size() ? current() : from; // it is being closed
     asking.canvas().endGesture(); // what it has made is a use
-    if (!path.isEmpty())
-        for (const Open& open : open_)
-            if (open.window->files().holds(path)) {
-                showWindow(*open.window);
-                return nullptr;
-            }
     MainWindow* window = unused(asking);
+    const auto same =
+        path.isEmpty() ? open_.end()
+                       : std::ranges::find_if(open_, [&](auto& open) { return holds(open, path); });
+    if (same != open_.end() && (same->window || !window)) {
+        showTab(int(same - open_.begin()));
+        return nullptr;
+    }
+    if (same != open_.end()) { // the unused window takes the place of the drawing to be read
+        const auto number = std::size_t(same - open_.begin());
+        const std::size_t place = numberOf(*window);
+        open_.erase(same);
+        if (current_ > number)
+            --current_;
+        move(int(place - (place > number)), int(number - (place < number)));
+    }
     if (!window && count() >= most_) {
         asking.tell({Message::Kind::Warning,
                      Text::tr("%1 drawings are open, and no more can be. Close one first (Ctrl+W).")
@@ -167,6 +193,16 @@ void Desk::showWindow(MainWindow& window)
     emit currentChanged();
 }
 
+void Desk::showTab(int number)
+{
+    Open& open = open_[std::size_t(number)];
+    if (open.window)
+        return showWindow(*open.window);
+    MainWindow& window = *addWindow(open).window;
+    showWindow(window);
+    window.files().open(open.file);
+}
+
 /// Panels that float are windows, which do not hide with the page that owns them.
 void Desk::hideFloating(Open& open)
 {
@@ -178,14 +214,34 @@ void Desk::hideFloating(Open& open)
         }
 }
 
-/// The window that was made for a file which could not be read has no purpose.
+/// The window that was made for a file which could not be read has no purpose. If the person
+/// cancelled, the file is read when its tab is shown again.
 void Desk::removeUnopened(MainWindow& window, const Message& why)
 {
     const std::size_t number = numberOf(window);
-    if (number == open_.size() || count() == 1 || !window.files().isUnused())
+    const auto next = nearestRead(number);
+    if (number == open_.size() || !next || !window.files().isUnused())
         return;
+    if (number == current_)
+        showWindow(*open_[*next].window);
+    if (QString file = open_[number].file; !file.isEmpty() && why.sentence.isEmpty()) {
+        removeWindow(std::exchange(open_[number], Open{nullptr, std::move(file)}));
+        return showTabs();
+    }
     remove(number);
     current().tell(why);
+}
+
+/// Of the other drawings; empty: none is read yet.
+std::optional<std::size_t> Desk::nearestRead(std::size_t number) const
+{
+    for (std::size_t by = 1; by < open_.size(); ++by) {
+        if (number + by < open_.size() && open_[number + by].window)
+            return number + by;
+        if (number >= by && open_[number - by].window)
+            return number - by;
+    }
+    return std::nullopt;
 }
 
 void Desk::open(const QStringList& files)
@@ -194,7 +250,17 @@ void Desk::open(const QStringList& files)
         current().files().open(file);
 }
 
-void Desk::showNext(int by) { showWindow(at((int(current_) + by + count()) % count())); }
+void Desk::showNext(int by) { showTab((int(current_) + by + count()) % count()); }
+
+void Desk::closeTab(int number)
+{
+    Open& open = open_[std::size_t(number)];
+    if (open.window)
+        return close(*open.window);
+    closed_ << open.file;
+    remove(std::size_t(number));
+    current().refreshActions(); // it can be opened again
+}
 
 void Desk::close(MainWindow& window)
 {
@@ -213,26 +279,29 @@ void Desk::close(MainWindow& window)
     });
 }
 
-/// The window is deleted when the functions of its menus have ended.
 void Desk::remove(std::size_t number)
 {
-    MainWindow* const window = open_[number].window;
-    if (number == current_) {
-        const std::size_t next = number + 1 < open_.size() ? number + 1 : number - 1;
-        showWindow(*open_[next].window);
-    }
-    window->saveLayout();
-    window->removeEventFilter(this);
+    if (number == current_)
+        showTab(int(number + 1 < open_.size() ? number + 1 : number - 1));
     Open gone = std::move(open_[number]);
     open_.erase(open_.begin() + std::ptrdiff_t(number));
     if (current_ > number)
         --current_;
-    gone.recovery.reset();
-    pages_->removeWidget(window);
-    window->hide();
-    window->deleteLater();
+    if (gone.window)
+        removeWindow(std::move(gone));
     showTabs();
     emit currentChanged();
+}
+
+/// The window is deleted when the functions of its menus have ended.
+void Desk::removeWindow(Open gone)
+{
+    gone.window->saveLayout();
+    gone.window->removeEventFilter(this);
+    gone.recovery.reset();
+    pages_->removeWidget(gone.window);
+    gone.window->hide();
+    gone.window->deleteLater();
 }
 
 void Desk::reopen()
@@ -260,8 +329,11 @@ void Desk::showTabs()
 {
     std::vector<DrawingTab> tabs;
     for (const Open& open : open_)
-        tabs.push_back({open.window->files().name(), open.window->session().path(),
-                        !open.window->session().history.isClean()});
+        if (open.window)
+            tabs.push_back({open.window->files().name(), open.window->session().path(),
+                            !open.window->session().history.isClean()});
+        else
+            tabs.push_back({QFileInfo(open.file).fileName(), open.file, false});
     // Files of the same name are told apart by their folders, and others by numbers.
     std::vector<DrawingTab> named = tabs;
     for (DrawingTab& tab : named)
@@ -276,6 +348,52 @@ void Desk::showTabs()
     setWindowTitle(current().windowTitle());
     setWindowFilePath(current().windowFilePath());
     setWindowModified(current().isWindowModified());
+    rememberTabs();
+}
+
+QString Desk::restoreTabs(bool wanted)
+{
+    kept_ = app::openDrawings(QSettings(), most_ - 1);
+    const app::OpenDrawings kept = *kept_;
+    std::vector<Open> all;
+    for (int i = 0; i < int(kept.files.size()); ++i)
+        if (wanted && i == kept.shown) {
+            current_ = all.size();
+            all.push_back(std::move(open_.front()));
+        } else {
+            all.push_back({nullptr, kept.files[i]});
+        }
+    if (!wanted || kept.shown < 0) {
+        current_ = all.size();
+        all.push_back(std::move(open_.front()));
+    }
+    open_ = std::move(all);
+    showTabs();
+    return wanted ? kept.files.value(kept.shown) : QString();
+}
+
+/// A drawing that is being read is not the one to show: it may be the reason for a crash.
+void Desk::rememberTabs()
+{
+    if (!kept_)
+        return;
+    if (!app::reopensDrawings(QSettings()))
+        return void(kept_ = app::OpenDrawings{});
+    app::OpenDrawings now;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+        const Open& open = open_[i];
+        const QString path = open.window ? open.window->session().path() : QString();
+        const bool isToBeRead = !open.window || open.window->files().isOpening();
+        if (i == current_ && !path.isEmpty())
+            now.shown = int(now.files.size());
+        if (const QString& file = isToBeRead && path.isEmpty() ? open.file : path; !file.isEmpty())
+            now.files << file;
+    }
+    if (now != *kept_) {
+        QSettings settings;
+        app::keepOpenDrawings(settings, now);
+        kept_ = now;
+    }
 }
 
 bool Desk::eventFilter(QObject* watched, QEvent* event)
@@ -305,6 +423,8 @@ void Desk::askNext()
 {
     const int round = ++round_; // of questions; one that is asked again withdraws the one before
     for (Open& open : open_) {
+        if (!open.window)
+            continue;
         MainWindow& window = *open.window;
         window.canvas().endGesture(); // which may be its only change
         const std::uint64_t step = window.session().document.revision();

@@ -62,6 +62,8 @@ struct Options {
         return !backend && !theme && screenshot.isEmpty() && !size && panes.isEmpty() && !microscope
                && !algorithm && !verbose && !ownWindow && refusal.isEmpty();
     }
+    /// Whether the drawings of the last run are opened again: not beside a program that has them.
+    bool restoresTabs() const { return screenshot.isEmpty() && !ownWindow && !microscope; }
     QStringList absoluteFiles() const
     {
         QStringList paths;
@@ -205,7 +207,7 @@ void openMicroscope(MainWindow& window, const Options& options)
 
 /// Opens what the options request; saves the screenshot when everything is painted.
 int show(EditorApplication& application, const Options& options, const QElapsedTimer& clock,
-         const QString& socket)
+         const QString& socket, bool restores)
 {
     // With a style sheet, each widget that gets a parent has everything below it restyled. That
     // would take a quarter of the start, so the complete window gets the sheet at once.
@@ -229,7 +231,10 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
     if (const auto& wish = options.algorithm)
         app::useVariant(window.session(), app::usable(*wish));
     // A large file must not delay the window.
-    const QString file = options.files.value(0);
+    QString file = options.files.value(0);
+    if (restores)
+        if (const QString shown = desk.restoreTabs(file.isEmpty()); file.isEmpty())
+            file = shown;
     const auto open = [&] { window.files().open(file); };
     const bool first = !options.screenshot.isEmpty() || QFileInfo(file).size() < quickBytes;
     if (file.isEmpty())
@@ -328,8 +333,10 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
         return int(app::Exit::Done);
     if (handedOver == HandedOver::Refused)
         socket.clear(); // it stays the other program's
+    const bool isAlone = options.isPlain() ? handedOver == HandedOver::NobodyIsThere
+                                           : !isSomebodyAt(socketOfProgram());
     applyTheme(*application, options.theme.value_or(savedTheme()));
-    return show(*application, options, clock, socket);
+    return show(*application, options, clock, socket, isAlone && options.restoresTabs());
 }
 
 } // namespace ui

@@ -142,7 +142,7 @@ void Recovery::ask(std::vector<app::Leftover> found)
             app::discard(first);
             return self->ask(std::move(found));
         }
-        Recovery& there = self->place_ ? self->place_() : *self;
+        Recovery& there = self->place_ ? self->place_(first.origin.path) : *self;
         there.recover(first, [there = QPointer(&there), found](bool recovered) {
             if (there && (!recovered || there->place_)) // there is a window for the next one
                 there->ask(found);

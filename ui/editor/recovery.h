@@ -31,8 +31,8 @@ public:
     /// the next start. Begins when the window's file is read.
     void offer();
     /// Gives each leftover that is recovered a window of its own, which asks about the next one.
-    /// Without it, this window shows one.
-    using Place = std::function<Recovery&()>;
+    /// Without it, this window shows one. `path` is of the drawing's file; empty: it has none.
+    using Place = std::function<Recovery&(const QString& path)>;
     void setPlace(Place place) { place_ = std::move(place); }
 
 private:

@@ -68,6 +68,14 @@ HandedOver handOver(const QString& socket, const QStringList& files)
     return taken ? HandedOver::Taken : HandedOver::Refused;
 }
 
+bool isSomebodyAt(const QString& socket)
+{
+    QLocalSocket there;
+    if (!socket.isEmpty())
+        there.connectToServer(socket);
+    return there.waitForConnected(patience);
+}
+
 Listener::Listener(const QString& socket, QObject* parent)
     : QObject(parent), server_(std::make_unique<QLocalServer>())
 {

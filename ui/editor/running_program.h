@@ -21,6 +21,8 @@ QString socketIn(const QString& folder, const QByteArray& display);
 /// front). Refused: it did not answer within two seconds, or is being quit.
 enum class HandedOver : std::uint8_t { Taken, Refused, NobodyIsThere };
 HandedOver handOver(const QString& socket, const QStringList& files);
+/// Whether a program listens there, without a message to it.
+bool isSomebodyAt(const QString& socket);
 
 /// The running program's end: takes files from those that are started later.
 class Listener : public QObject {

@@ -36,15 +36,17 @@ void Files::setOthers(Place place, Held held)
     held_ = std::move(held);
 }
 
+bool Files::areSame(const QString& a, const QString& b)
+{
+    const QFileInfo first(a), second(b);
+    return !a.isEmpty()
+           && (first.absoluteFilePath() == second.absoluteFilePath()
+               || (first.exists() && first.canonicalFilePath() == second.canonicalFilePath()));
+}
+
 bool Files::holds(const QString& path) const
 {
-    const auto isSame = [](const QString& a, const QString& b) {
-        const QFileInfo first(a), second(b);
-        return !a.isEmpty()
-               && (first.absoluteFilePath() == second.absoluteFilePath()
-                   || (first.exists() && first.canonicalFilePath() == second.canonicalFilePath()));
-    };
-    return isSame(session_.path(), path) || isSame(opening_, path);
+    return areSame(session_.path(), path) || areSame(opening_, path);
 }
 
 QString Files::refusalToWrite(const QString& path) const

@@ -40,6 +40,8 @@ public:
     void setOthers(Place place, Held held);
     bool isUnused() const; ///< an empty drawing or a sample, without changes: it may be replaced
     bool holds(const QString& path) const; ///< it is the drawing's file, or the one being opened
+    bool isOpening() const { return !opening_.isEmpty(); }   ///< a file is being read
+    static bool areSame(const QString& a, const QString& b); ///< files: also by links
     /// Why this file must not be written by an export, in one sentence: it is an open drawing.
     QString refusalToWrite(const QString& path) const;
 
@@ -179,7 +181,7 @@ private:
     Place place_;
     Held held_;
     std::optional<app::DrawingExport> exported_; ///< the last export since this drawing was opened
-    QString exportedWindow_; ///< the name of its window
+    QString exportedWindow_;                     ///< the name of its window
     QDateTime seen_; ///< the file's modification time when we last read or wrote it
     app::FileWatch watch_;
     InBackground background_;

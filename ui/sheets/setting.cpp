@@ -2,6 +2,7 @@
 #include "ui/sheets/setting.h"
 
 #include "app/base/text.h"
+#include "app/session/open_drawings.h"
 #include "ui/editing/editing.h"
 #include "ui/look/text.h"
 #include "ui/widgets/unit_box.h"
@@ -159,6 +160,22 @@ Setting undoMemory()
     };
 }
 
+Setting reopenDrawings()
+{
+    return {
+        .key = QStringLiteral("reopen-drawings"),
+        .text = Text::tr("Open the same drawings again"),
+        .tip = Text::tr("Each drawing is read when its tab is first shown"),
+        .value = [](const MainWindow&) { return int(app::reopensDrawings(QSettings())); },
+        .set =
+            [](MainWindow&, int value) {
+                QSettings settings;
+                app::setReopensDrawings(settings, value);
+            },
+        .standard = [](const MainWindow&) { return 1; },
+    };
+}
+
 std::vector<Setting> snappings()
 {
     std::vector<Setting> all{snapping()};
@@ -175,6 +192,7 @@ const std::vector<SettingsGroup>& settingsGroups()
     static const std::vector<SettingsGroup> all{
         {Text::tr("Appearance"), {theme(), darkPaper(), capsule()}},
         {Text::tr("Lengths of this drawing"), {unit()}},
+        {Text::tr("Start"), {reopenDrawings()}},
         {Text::tr("Undo"), {undoMemory()}},
         {Text::tr("Snapping"), snappings()},
     };

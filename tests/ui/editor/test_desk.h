@@ -55,7 +55,8 @@ struct TestDesk {
     {
         desk->current().files().open(path);
         for (int i = 0; i < desk->count(); ++i)
-            desk->at(i).files().wait();
+            if (desk->isRead(i))
+                desk->at(i).files().wait();
     }
     QAction* action(const char* name) const
     {
