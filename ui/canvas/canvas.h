@@ -94,6 +94,16 @@ public:
     /// Moves, rotates, scales or skews the selection by the pointer and by typed numbers.
     void transform(const app::Transformation& kind);
 
+    /// Selected objects that are dragged, perhaps out of the canvas.
+    struct Carried {
+        QPoint at; ///< on the screen
+        Qt::KeyboardModifiers modifiers;
+        bool dropped;
+    };
+    /// Told at each move; true: what is there takes them if they are dropped, and they stay here as
+    /// they were.
+    void setCarrier(std::function<bool(const Carried&)> carrier);
+
     /// Selects what is at a position of the canvas, unless it is selected already, for the menu of
     /// the right button. False: no object is there.
     bool selectAt(const QPoint& position);
@@ -162,6 +172,7 @@ private:
     void keepPanes(const app::Panes& panes);
     void followComparing(std::size_t panes);
     bool activates(const QEvent& event) const;
+    bool carriesAway(const QEvent& event);
     std::optional<QPoint> onDrawing(const QPoint& position) const; ///< of the pane's surface there
 
     struct Parts;

@@ -250,6 +250,27 @@ bool Canvas::activates(const QEvent& event) const
     return reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason;
 }
 
+void Canvas::setCarrier(std::function<bool(const Carried&)> carrier)
+{
+    parts_->carrier = std::move(carrier);
+}
+
+/// Whether dragged objects were dropped where something else takes them.
+bool Canvas::carriesAway(const QEvent& event)
+{
+    const bool moves = event.type() == QEvent::MouseMove;
+    if ((!moves && event.type() != QEvent::MouseButtonRelease) || !parts_->carrier
+        || !parts_->controller.tool().as<Transforms>().movesSelection())
+        return false;
+    const auto& mouse = static_cast<const QMouseEvent&>(event);
+    const bool dropped = !moves && mouse.button() == Qt::LeftButton;
+    const Carried carried{mouse.globalPosition().toPoint(), mouse.modifiers(), dropped};
+    if (!parts_->carrier(carried) || !dropped)
+        return false;
+    parts_->controller.held().cancel();
+    return true;
+}
+
 bool Canvas::eventFilter(QObject* watched, QEvent* event)
 {
     const auto shows = [](const QObject* object) {
@@ -263,6 +284,8 @@ bool Canvas::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::FocusOut
         && std::ranges::any_of(widgets, shows(QApplication::focusWidget())))
         return QWidget::eventFilter(watched, event);
+    if (carriesAway(*event))
+        return true;
     return parts_->controller.handle(*event) || QWidget::eventFilter(watched, event);
 }
 

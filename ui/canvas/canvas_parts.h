@@ -38,6 +38,7 @@ struct Canvas::Parts {
     Capsule::Form capsuleForm = Capsule::Form::Whole;
     app::CapsuleHome capsuleHome = app::CapsuleHome::AtObject;
     QWidget* capsuleBar = nullptr; ///< of the options bar; null: there is none
+    std::function<bool(const Carried&)> carrier;
     bool layingOut = false;
     QSize cornerKeptIn; ///< the window's size while keepCorner() holds; empty: it does not
 };

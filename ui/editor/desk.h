@@ -51,6 +51,7 @@ public:
     void closeTab(int number);
     void reopen() override;
     bool canReopen() const override { return !closed_.isEmpty(); }
+    bool carry(MainWindow& from, const Canvas::Carried& carried) override;
 
     using QWidget::close;
     bool isLeaving() const { return leaving_ == Leaving::Agreed; } ///< all may be closed
@@ -88,6 +89,7 @@ private:
     void move(int from, int to);
     void showTabs();
     void rememberTabs();
+    void give(MainWindow& from, int tab, bool moves);
     void askNext();
     void stay();
 

@@ -69,6 +69,7 @@ public:
     }
     void transform(const app::Transformation& kind, const Pointer& pointer,
                    Workbench& bench) override;
+    bool movesSelection() const override { return pressed_ && transform_.moves(); }
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
         if (window_.going())

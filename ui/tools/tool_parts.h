@@ -98,6 +98,7 @@ struct Hovers : ToolPart {
 struct Transforms : ToolPart {
     /// Begins to move, rotate, scale or skew the selection.
     virtual void transform(const app::Transformation&, const Pointer&, Workbench&) {}
+    virtual bool movesSelection() const { return false; } ///< by a drag, now
 };
 
 struct SelectsForMenu : ToolPart {

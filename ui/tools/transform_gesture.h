@@ -22,6 +22,7 @@ public:
     static app::Point grabbedAt(const app::Point& pointer, const app::Point& pivot,
                                 const Workbench& bench);
     bool going() const override { return now_.has_value(); }
+    bool moves() const { return now_ && now_->kind->movesPivot; } ///< and goes on
     void proceed(const Pointer& pointer, Workbench& bench) override;
     bool finish(const Pointer& pointer, Workbench& bench) override;
     void finish(Workbench& bench); ///< where the pointer was last

@@ -13,6 +13,8 @@
 #include <QTabBar>
 #include <QToolButton>
 
+#include <utility>
+
 namespace ui {
 
 namespace {
@@ -61,10 +63,18 @@ private:
     bool modified_;
 };
 
+} // namespace
+
 /// As wide as the names, within limits. The middle button closes a tab.
 class TabBar : public QTabBar {
 public:
     explicit TabBar(DrawingTabs& tabs) : tabs_(tabs) { setMouseTracking(true); }
+
+    void mark(int tab)
+    {
+        if (std::exchange(marked_, tab) != tab)
+            update();
+    }
 
 protected:
     QSize tabSizeHint(int tab) const override
@@ -84,11 +94,20 @@ protected:
             emit tabs_.chosen(currentIndex());
     }
 
+    void paintEvent(QPaintEvent* event) override
+    {
+        QTabBar::paintEvent(event);
+        if (marked_ < 0)
+            return;
+        QPainter painter(this);
+        painter.setPen(QPen(lookOf(palette()).accent, 2));
+        painter.drawRect(tabRect(marked_).adjusted(1, 1, -1, -1));
+    }
+
 private:
     DrawingTabs& tabs_;
+    int marked_ = -1;
 };
-
-} // namespace
 
 DrawingTabs::DrawingTabs(QWidget* parent)
     : QToolBar(Text::tr("Open drawings"), parent), bar_(new TabBar(*this))
@@ -119,6 +138,13 @@ DrawingTabs::DrawingTabs(QWidget* parent)
     connect(bar_, &QTabBar::tabMoved, this, &DrawingTabs::moved);
     hide();
 }
+
+int DrawingTabs::tabAt(const QPoint& onScreen) const
+{
+    return isVisible() ? bar_->tabAt(bar_->mapFromGlobal(onScreen)) : -1;
+}
+
+void DrawingTabs::mark(int tab) { bar_->mark(tab); }
 
 void DrawingTabs::show(const std::vector<DrawingTab>& tabs, int current)
 {

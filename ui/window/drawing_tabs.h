@@ -5,10 +5,11 @@
 
 #include <vector>
 
-class QTabBar;
 class QToolButton;
 
 namespace ui {
+
+class TabBar;
 
 /// What the tab of an open drawing says.
 struct DrawingTab {
@@ -27,6 +28,9 @@ public:
     explicit DrawingTabs(QWidget* parent = nullptr);
 
     void show(const std::vector<DrawingTab>& tabs, int current);
+    int tabAt(const QPoint& onScreen) const; ///< -1: none
+    void mark(int tab);                      ///< objects would be dropped on it; -1: on none
+    QString name(int tab) const { return shown_[std::size_t(tab)].name; }
 
 signals:
     void chosen(int tab); ///< may be the current one
@@ -35,7 +39,7 @@ signals:
     void newWanted();
 
 private:
-    QTabBar* bar_;
+    TabBar* bar_;
     std::vector<DrawingTab> shown_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/canvas/canvas.h"
+
 namespace ui {
 
 class MainWindow;
@@ -18,6 +20,9 @@ public:
     virtual void close(MainWindow& window) = 0;
     virtual void reopen() = 0; ///< the file that was closed last
     virtual bool canReopen() const = 0;
+    /// Objects of this drawing are dragged; true: they are over the tab of another one. Dropped
+    /// there they are copied to it, or moved with Shift.
+    virtual bool carry(MainWindow& from, const Canvas::Carried& carried) = 0;
 };
 
 } // namespace ui

@@ -90,6 +90,9 @@ void MainWindow::addCentre()
     canvas_->setAccessibleName(Text::tr("Drawing"));
     centre_ = new Centre(*strip_, *canvas_);
     setCentralWidget(centre_);
+    canvas_->setCarrier([this](const Canvas::Carried& carried) {
+        return drawings_ && drawings_->carry(*this, carried);
+    });
     status_ = new StatusBar(session_, *canvas_);
     setStatusBar(status_);
 }
