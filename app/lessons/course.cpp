@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/course.h"
 
+#include "app/base/random.h"
 #include "app/base/text.h"
+#include "app/lessons/attempt.h"
 
+#include <QRandomGenerator>
 #include <QScopedValueRollback>
 #include <QSettings>
 
@@ -39,8 +42,33 @@ void Course::begin(std::size_t lesson)
     lesson_ = lesson;
     page_ = 0;
     answers_.assign(pages(), {});
-    points_.assign(pages(), 0);
-    show(this->lesson()->pages[page_].tracedLine);
+    seeds_.assign(pages(), 0);
+    std::uint64_t seed = newSeed();
+    for (std::uint64_t& one : seeds_)
+        one = seed == 0 ? 0 : seed = mixed(seed);
+    setPages(this->lesson()->pages);
+    showAgain();
+}
+
+/// The seed of an attempt, or of a page that is drawn once more.
+std::uint64_t Course::newSeed() const
+{
+    return seed_ ? *seed_ : QRandomGenerator::global()->generate64();
+}
+
+/// The pages as the lesson's file has them.
+void Course::setPages(const std::vector<LessonPage>& pages)
+{
+    drawn_ = pages;
+    isDrawn_.assign(pages.size(), 0);
+}
+
+/// Draws the line of the current page, unless that is done: one page a time, because it takes
+/// a millisecond.
+void Course::draw()
+{
+    if (!std::exchange(isDrawn_[page_], 1))
+        drawn_[page_] = drawnPage(drawn_[page_], seeds_[page_]);
 }
 
 void Course::beginOrGoOn(std::size_t lesson)
@@ -49,8 +77,11 @@ void Course::beginOrGoOn(std::size_t lesson)
         lesson_ = lesson;
         page_ = left_->page;
         answers_ = std::move(left_->answers);
-        points_ = std::move(left_->points);
+        seeds_ = std::move(left_->seeds);
         left_.reset();
+        setPages(this->lesson()->pages);
+        if (isOpen()) // its line may have been looked at meanwhile
+            seeds_[page_] = newSeed();
         return showAgain();
     }
     if (lesson_ != lesson || atEnd())
@@ -71,11 +102,12 @@ void Course::end()
     if (atEnd())
         left_.reset();
     else if (lesson_)
-        left_ = Left{*lesson_, page_, answers_, points_};
+        left_ = Left{*lesson_, page_, answers_, seeds_};
     lesson_.reset();
     question_.reset();
     answers_.clear();
-    points_.clear();
+    seeds_.clear();
+    drawn_.clear();
     paused_ = false;
     if (covers)
         microscope_.close();
@@ -89,16 +121,13 @@ std::optional<std::size_t> Course::lessonToGoOn() const
 
 const Lesson* Course::lesson() const { return lesson_ ? &lessons()[*lesson_] : nullptr; }
 
-LessonParts Course::shows() const
-{
-    return lesson() && !paused_ ? lesson()->pages[page_].shows : LessonParts{};
-}
+LessonParts Course::shows() const { return lesson() && !paused_ ? here().shows : LessonParts{}; }
 
 QString Course::told() const
 {
     if (isOpen())
         return {};
-    const LessonPage& page = lesson()->pages[page_];
+    const LessonPage& page = here();
     const bool own = !question_ || asked_ == page.tracedLine || page.told.isEmpty();
     return own ? page.told : Text::tr("*Of the line on this page:* %1").arg(page.told);
 }
@@ -121,14 +150,16 @@ void Course::previous()
 
 void Course::showAgain()
 {
-    if (lesson())
-        show(TracedLine(ownLine()));
+    if (!lesson())
+        return;
+    draw();
+    show(TracedLine(ownLine()));
 }
 
 /// The line that the page shows: its own, or of a settled question the one that was asked about.
 const TracedLine& Course::ownLine() const
 {
-    const TracedLine& own = lesson()->pages[page_].tracedLine;
+    const TracedLine& own = here().tracedLine;
     return isOpen() || !answer().about ? own : *answer().about;
 }
 
@@ -147,13 +178,15 @@ void Course::show(const TracedLine& tracedLine)
 void Course::ask(const TracedLine& tracedLine)
 {
     const QScopedValueRollback quiet(showing_, true);
-    const LessonPage page = about(lesson()->pages[page_], tracedLine);
+    const LessonPage page = about(here(), tracedLine);
     const Narration narration = narrationOf(tracedLine);
     const auto wanted = stepFor(page, narration);
     asked_ = tracedLine;
     question_.reset();
     if (wanted && tracedLine.corners.empty()) // questions are about rectangles
         question_ = questionOf(page, narration, *wanted);
+    if (question_)
+        question_ = inNewOrder(*question_, seeds_[page_]);
     Answer& answer = answers_[page_];
     if (answer.about != tracedLine)
         answer.tries.clear();
@@ -184,10 +217,7 @@ void Course::follow()
         emit changed();
 }
 
-bool Course::isOpen() const
-{
-    return lesson() && lesson()->pages[page_].question && !answer().settled();
-}
+bool Course::isOpen() const { return lesson() && here().question && !answer().settled(); }
 
 void Course::choose(int choice)
 {
@@ -198,9 +228,7 @@ void Course::choose(int choice)
     answer.about = asked_;
     answer.tries.push_back(choice);
     answer.right = choice == question_->right;
-    if (answer.right)
-        points_[page_] = answer.wrong == 0 ? 2 : 1;
-    else
+    if (!answer.right)
         ++answer.wrong;
     settle();
 }
@@ -210,7 +238,7 @@ void Course::showAnswer()
     if (!isOpen())
         return;
     if (!question_)
-        ask(lesson()->pages[page_].tracedLine);
+        ask(here().tracedLine);
     answers_[page_].about = asked_;
     answers_[page_].shown = true;
     settle();
@@ -230,52 +258,79 @@ void Course::settle() { isOpen() ? emit changed() : show(asked_); }
 Score Course::score() const
 {
     return {int(std::ranges::count_if(answers_, &Answer::settled)),
-            std::accumulate(points_.begin(), points_.end(), 0)};
+            int(std::ranges::count_if(answers_, &Answer::rightAtOnce))};
 }
-
-int Course::rightWorth(int points) const { return int(std::ranges::count(points_, points)); }
 
 QString Course::ending() const
 {
-    const int questions = lesson() ? mostPoints(*lesson()) / 2 : 0;
+    const int questions = lesson() ? questionsOf(*lesson()) : 0, right = score().right;
     if (!atEnd() || questions == 0)
         return {};
-    QString text = Text::tr("%1 of %2 right at the first try").arg(rightWorth(2)).arg(questions);
-    if (const int second = rightWorth(1); second > 0)
-        text += Text::tr(", %1 at the second").arg(second);
-    if (isPassed(score().points, *lesson()))
-        return Text::tr("Passed: %1.").arg(text);
-    return Text::tr(
-               "Not passed yet: %1. You need three quarters of the points. Try the lesson again?")
-        .arg(text);
+    if (isPassed(right, *lesson()))
+        return Text::tr("Passed: %1 of %2 right at the first try.").arg(right).arg(questions);
+    return Text::tr("Not passed yet: %1 of %2 right at the first try, and %3 are needed. Try the "
+                    "lesson again? It then has other lines.")
+        .arg(right)
+        .arg(questions)
+        .arg(neededRight(*lesson()));
 }
 
 namespace {
 
-QString keyOf(const Lesson& lesson) { return QStringLiteral("lessons/points/") + lesson.key; }
+QString keyOf(const Lesson& lesson) { return QStringLiteral("lessons/right/") + lesson.key; }
+
+/// The probability that of questions with so many choices at least `least` are answered right by
+/// chance.
+double chanceOf(int least, const std::vector<int>& choices)
+{
+    std::vector<double> right{1}; // the probability of each number of right answers
+    for (const int count : choices) {
+        right.push_back(0);
+        for (std::size_t k = right.size() - 1; k > 0; --k)
+            right[k] += (right[k - 1] - right[k]) / count;
+        right[0] -= right[0] / count;
+    }
+    return std::accumulate(right.begin() + least, right.end(), 0.0);
+}
 
 } // namespace
 
-int mostPoints(const Lesson& lesson)
+int questionsOf(const Lesson& lesson)
 {
-    return 2 * int(std::ranges::count_if(lesson.pages, [](const LessonPage& page) {
-               return page.question.has_value();
-           }));
+    return int(std::ranges::count_if(
+        lesson.pages, [](const LessonPage& page) { return page.question.has_value(); }));
 }
 
-bool isPassed(int points, const Lesson& lesson) { return 4 * points >= 3 * mostPoints(lesson); }
+int neededRight(const Lesson& lesson)
+{
+    constexpr double mostChance = 0.0065;
+    std::vector<int> choices;
+    for (const LessonPage& page : lesson.pages)
+        if (page.question)
+            choices.push_back(std::max(1, choicesOf(*page.question)));
+    const int all = int(choices.size());
+    int needed = (2 * all + 2) / 3;
+    while (needed < all && chanceOf(needed, choices) > mostChance)
+        ++needed;
+    return needed;
+}
 
-std::optional<int> bestPoints(const QSettings& settings, const Lesson& lesson)
+bool isPassed(int right, const Lesson& lesson)
+{
+    return questionsOf(lesson) > 0 && right >= neededRight(lesson);
+}
+
+std::optional<int> bestRight(const QSettings& settings, const Lesson& lesson)
 {
     bool isNumber = false;
-    const int points = settings.value(keyOf(lesson)).toInt(&isNumber);
-    return isNumber ? std::optional(std::clamp(points, 0, mostPoints(lesson))) : std::nullopt;
+    const int right = settings.value(keyOf(lesson)).toInt(&isNumber);
+    return isNumber ? std::optional(std::clamp(right, 0, questionsOf(lesson))) : std::nullopt;
 }
 
-void keepPoints(QSettings& settings, const Lesson& lesson, int points)
+void keepRight(QSettings& settings, const Lesson& lesson, int right)
 {
-    if (points > bestPoints(settings, lesson).value_or(-1))
-        settings.setValue(keyOf(lesson), std::clamp(points, 0, mostPoints(lesson)));
+    if (right > bestRight(settings, lesson).value_or(-1))
+        settings.setValue(keyOf(lesson), std::clamp(right, 0, questionsOf(lesson)));
 }
 
 } // namespace app

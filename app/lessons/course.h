@@ -9,11 +9,11 @@ class QSettings;
 
 namespace app {
 
-/// The points for the answers to a lesson's questions so far: 2 for a right first try, 1 for a
-/// right second try, 0 for an answer that was shown.
+/// The answers to a lesson's questions so far. Only first tries count: a second try and an answer
+/// that was shown teach, and earn nothing.
 struct Score {
     int settled = 0; ///< questions that are no longer open
-    int points = 0;
+    int right = 0;   ///< right at the first try
     friend bool operator==(const Score&, const Score&) = default;
 };
 
@@ -27,18 +27,24 @@ struct Answer {
     bool shown = false;       ///< the reader asked for the answer
 
     bool settled() const { return right || shown || wrong >= 2; }
+    bool rightAtOnce() const { return right && wrong == 0; }
 };
 
-/// The lesson in progress: its page, its question, and the traced line in the microscope. The
-/// question is about the line that the microscope shows, also after the reader has dragged an end
-/// of it or shown another line. While the question is open the microscope shows no step that would
-/// reveal the answer (stepsShown), whoever opens it, and the next page is not available.
+/// The lesson in progress: its page, its question, and the traced line in the microscope. Each
+/// attempt has other lines and another order of the choices (attempt.h), and so has an open
+/// question after the lesson was left. The question is about the line that the microscope shows,
+/// also after the reader has dragged an end of it or shown another line. While the question is open
+/// the microscope shows no step that would reveal the answer (stepsShown), whoever opens it, and
+/// the next page is not available.
 class Course : public QObject {
     Q_OBJECT
 
 public:
     explicit Course(Microscope& microscope, QObject* parent = nullptr);
 
+    /// Begins every further attempt with this seed, for tests and pictures; with 0 lines and
+    /// choices are as the lesson's file has them. Without it each attempt has a seed of its own.
+    void setSeed(std::uint64_t seed) { seed_ = seed; }
     /// Starts a lesson at its first page and opens the microscope.
     void begin(std::size_t lesson);
     /// Leaves the microscope unchanged, but closes it while a question is open, whose answer it
@@ -60,7 +66,9 @@ public:
     std::size_t pages() const { return lesson() ? lesson()->pages.size() : 0; }
     /// The parts that the page shows beside the figure; none if no page is open.
     LessonParts shows() const;
-    const QString& text() const { return lesson()->pages[page_].text; }
+    const QString& text() const { return here().text; }
+    /// The current page as this attempt has it.
+    const LessonPage& here() const { return drawn_[page_]; }
     /// The page's explanation after its question is settled; empty before. It is about the page's
     /// own line, and says so if the reader answered about another.
     QString told() const;
@@ -110,13 +118,15 @@ private:
     void show(const TracedLine& tracedLine);
     void ask(const TracedLine& tracedLine);
     void settle();
-    int rightWorth(int points) const; ///< how many questions earned that many points
+    std::uint64_t newSeed() const;
+    void setPages(const std::vector<LessonPage>& pages);
+    void draw();
 
     /// A lesson that was left before its end.
     struct Left {
         std::size_t lesson, page;
         std::vector<Answer> answers;
-        std::vector<int> points;
+        std::vector<std::uint64_t> seeds;
     };
 
     Microscope& microscope_;
@@ -126,10 +136,13 @@ private:
     std::optional<Question> question_;
     TracedLine asked_; ///< the question is about it
     bool paused_ = false;
-    bool away_ = false;           ///< isAway() as last signalled
-    bool showing_ = false;        ///< the microscope changes by this class
-    std::vector<Answer> answers_; ///< one for each page
-    std::vector<int> points_;     ///< one for each page
+    bool away_ = false;                 ///< isAway() as last signalled
+    bool showing_ = false;              ///< the microscope changes by this class
+    std::vector<Answer> answers_;       ///< one for each page
+    std::optional<std::uint64_t> seed_; ///< of every attempt
+    std::vector<std::uint64_t> seeds_;  ///< one for each page of this attempt
+    std::vector<LessonPage> drawn_;     ///< one for each page; drawn when it is first shown
+    std::vector<char> isDrawn_;
 };
 
 } // namespace app
@@ -138,14 +151,16 @@ private:
 
 namespace app {
 
-/// Two points for each question of a lesson.
-int mostPoints(const Lesson& lesson);
-/// Whether these points pass a lesson: at least three quarters of all.
-bool isPassed(int points, const Lesson& lesson);
+int questionsOf(const Lesson& lesson); ///< how many there are
+/// How many of them must be right at the first try to pass the lesson: at least two thirds, and so
+/// many that keys pressed at random pass with a probability of at most 0.65 %.
+int neededRight(const Lesson& lesson);
+bool isPassed(int right, const Lesson& lesson);
 
-/// The best points reached in a lesson, 0 to mostPoints(); empty: it was never started.
-std::optional<int> bestPoints(const QSettings& settings, const Lesson& lesson);
-/// Stores the points of a lesson, unless better ones are stored already.
-void keepPoints(QSettings& settings, const Lesson& lesson, int points);
+/// The most questions of a lesson that were right at the first try, 0 to questionsOf(); empty: it
+/// was never started.
+std::optional<int> bestRight(const QSettings& settings, const Lesson& lesson);
+/// Stores the result of a lesson, unless a better one is stored already.
+void keepRight(QSettings& settings, const Lesson& lesson, int right);
 
 } // namespace app

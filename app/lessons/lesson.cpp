@@ -2,6 +2,7 @@
 #include "app/lessons/lesson.h"
 
 #include "app/base/text.h"
+#include "app/lessons/families.h"
 
 #include <QFile>
 
@@ -137,6 +138,8 @@ struct Reading {
             page.shows = parts.value_or(page.shows);
             return parts.has_value();
         }
+        if (what == QStringLiteral("draw"))
+            return draw(words.mid(1));
         if (what == QStringLiteral("step") && words.size() == 2 && stepOf(words[1]))
             page.step = words[1];
         else if (what == QStringLiteral("picture") && words.size() == 2)
@@ -148,6 +151,12 @@ struct Reading {
         else
             return false;
         return true;
+    }
+    bool draw(const QStringList& families)
+    {
+        page.families = families;
+        return !families.isEmpty()
+               && std::ranges::all_of(families, [](const QString& f) { return findLineFamily(f); });
     }
     bool endPage()
     {

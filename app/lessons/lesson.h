@@ -29,6 +29,9 @@ struct LessonPage {
     QString told{}; ///< markdown, shown after the question is settled
     QString hint{}; ///< of the question; replaces the hint of its kind
     TracedLine tracedLine{};
+    /// Keys of families (families.h): each attempt has another line, from one of them. Empty: the
+    /// line is always the same.
+    QStringList families{};
     QString picture{}; ///< the key of a sample, whose picture stands above the text; may be empty
     QString step{};    ///< "first", "last", a number from 1, or the mark of a step: "cut"
     std::optional<QuestionSpec> question{};

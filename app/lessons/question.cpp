@@ -11,13 +11,16 @@ namespace app {
 
 namespace {
 
-const QuestionKind* kindOf(const LessonPage& page)
+const QuestionKind* kindOf(const QuestionSpec& question)
 {
     const auto kinds = questionKinds();
-    const auto kind = std::ranges::find_if(kinds, [&](const QuestionKind& k) {
-        return page.question && latin(k.key) == page.question->kind;
-    });
+    const auto kind = std::ranges::find_if(
+        kinds, [&](const QuestionKind& k) { return latin(k.key) == question.kind; });
     return kind == kinds.end() ? nullptr : &*kind;
+}
+const QuestionKind* kindOf(const LessonPage& page)
+{
+    return page.question ? kindOf(*page.question) : nullptr;
 }
 
 } // namespace
@@ -36,6 +39,12 @@ std::optional<Question> questionOf(const LessonPage& page, const Narration& narr
     else if (!showsCode && !question->hintWithoutCode.isEmpty())
         question->hint = question->hintWithoutCode;
     return question;
+}
+
+int choicesOf(const QuestionSpec& question)
+{
+    const QuestionKind* kind = kindOf(question);
+    return kind ? kind->choices : 0;
 }
 
 std::size_t stepsShown(const LessonPage& page, std::size_t step)

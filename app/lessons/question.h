@@ -33,11 +33,14 @@ struct QuestionKind {
     std::optional<Question> (*ask)(const TracedLine& tracedLine, const Narration& narration,
                                    std::size_t step, const QStringList& words);
     Covered covered; ///< LaterSteps: the steps after the current one
+    int choices;     ///< how many the question has
 };
 std::span<const QuestionKind> questionKinds();
 
 std::optional<Question> questionOf(const LessonPage& page, const Narration& narration,
                                    std::size_t step);
+/// The number of choices of a question; 0 if there is no question of its kind.
+int choicesOf(const QuestionSpec& question);
 /// The number of steps that are visible while the page's question is open.
 std::size_t stepsShown(const LessonPage& page, std::size_t step);
 

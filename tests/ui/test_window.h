@@ -105,6 +105,7 @@ public:
         answers = prepared.get();
         window->setQuestions(std::move(prepared));
         window->resize(1280, 800);
+        window->session().course.setSeed(0); // the lessons' lines as their files have them
     }
 
     void show()

@@ -73,7 +73,7 @@ ChoiceList::ChoiceList(QWidget* parent)
     giveUp_->setMinimumWidth(giveUp_->sizeHint().width() + 2 * space::labelToField);
     giveUp_->setAutoDefault(true); // Enter presses it
     giveUp_->setToolTip(Text::tr(
-        "Show the right answer and its reason. You then get no points for this question."));
+        "Show the right answer and its reason. The question then does not count as right."));
     connect(giveUp_, &QPushButton::clicked, this, &ChoiceList::answerWanted);
     column_->addWidget(prompt_);
     column_->addWidget(onStage_);

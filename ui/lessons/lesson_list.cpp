@@ -20,7 +20,7 @@ namespace {
 
 constexpr int margin = 10, mark = 16;
 
-/// The button of a lesson: its number and title, below them its subject and best points, and a tick
+/// The button of a lesson: its number and title, below them its subject and best result, and a tick
 /// if the lesson is passed.
 class LessonButton : public QAbstractButton {
 public:
@@ -36,13 +36,14 @@ public:
     void refresh()
     {
         const QSettings settings;
-        const auto points = app::bestPoints(settings, lesson_);
-        passed_ = points && app::isPassed(*points, lesson_);
+        const auto right = app::bestRight(settings, lesson_);
+        passed_ = right && app::isPassed(*right, lesson_);
         words_ = lesson_.summary;
-        if (points)
-            words_ +=
-                u'\n'
-                + Text::tr("Best: %1 of %2 points").arg(*points).arg(app::mostPoints(lesson_));
+        if (right)
+            words_ += u'\n'
+                      + Text::tr("Best: %1 of %2 right at the first try")
+                            .arg(*right)
+                            .arg(app::questionsOf(lesson_));
         if (const auto on = course_.lessonToGoOn(); on && &app::lessons()[*on] == &lesson_)
             words_ += u'\n'
                       + Text::tr("Go on at page %1 of %2")
@@ -129,9 +130,10 @@ LessonList::LessonList(const app::Course& course, QWidget* parent)
     head->addWidget(close);
     column->addLayout(head);
     auto* about = new QLabel(
-        Text::tr("Each lesson takes about ten minutes and asks a few questions. Later lessons "
-                 "build on earlier ones, but you may begin anywhere. To pass a lesson you "
-                 "need three quarters of its points; a tick marks it then."));
+        Text::tr("Each lesson takes about ten minutes and asks a few questions, each time about "
+                 "other lines. Later lessons build on earlier ones, but you may begin anywhere. "
+                 "What you answer right at the first try counts. A tick marks the lessons that "
+                 "you have passed."));
     about->setWordWrap(true);
     about->setForegroundRole(QPalette::PlaceholderText);
     column->addWidget(about);

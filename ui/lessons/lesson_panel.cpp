@@ -62,11 +62,12 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
       back_(button(Text::tr("Back"), Text::tr("Previous page (Page Up)"))),
       again_(button(Text::tr("Show example"),
                     Text::tr("Show this page's example in the microscope again"))),
-      skip_(button(Text::tr("Skip"), Text::tr("Go on without an answer. You then get no points for "
-                                              "this question."))),
+      skip_(button(Text::tr("Skip"), Text::tr("Go on without an answer. The question then does not "
+                                              "count as right."))),
       next_(button(Text::tr("Next"), Text::tr("Next page (Page Down)"))),
-      repeat_(button(Text::tr("Repeat lesson"),
-                     Text::tr("Start this lesson again; your best points are kept")))
+      repeat_(
+          button(Text::tr("Repeat lesson"),
+                 Text::tr("Start this lesson again, with other lines; your best result is kept")))
 {
     setObjectName(QStringLiteral("lessons"));
     setAccessibleName(Text::tr("Lessons"));
@@ -126,6 +127,8 @@ QLayout* LessonPanel::makeHead()
     all->setAccessibleName(all->toolTip());
     connect(all, &QToolButton::clicked, this, &LessonPanel::showList);
     place_->setForegroundRole(QPalette::PlaceholderText);
+    place_->setToolTip(Text::tr("Questions that you answered right at the first try, and how many "
+                                "of them pass the lesson"));
     wearFont(*title_, pageType::title, QFont::Bold);
     title_->setWordWrap(true);
     auto* row = new QHBoxLayout;
@@ -244,18 +247,20 @@ void LessonPanel::showPage()
         focusNext();
 }
 
-/// The lesson's number with its points, and its title.
+/// The lesson's number, what was right at the first try and how much passes, and its title.
 void LessonPanel::showHead()
 {
-    QString place = Text::tr("Lesson %1").arg(course_.lessonIndex() + 1);
-    if (const app::Score score = course_.score(); score.settled > 0) {
-        place +=
-            QStringLiteral(" · ")
-            + Text::tr("%1 of %2 points").arg(score.points).arg(app::mostPoints(*course_.lesson()));
+    const app::Lesson& lesson = *course_.lesson();
+    const app::Score score = course_.score();
+    place_->setText(Text::tr("Lesson %1 · %2 of %3 right, %4 pass")
+                        .arg(course_.lessonIndex() + 1)
+                        .arg(score.right)
+                        .arg(app::questionsOf(lesson))
+                        .arg(app::neededRight(lesson)));
+    if (score.settled > 0) {
         QSettings settings;
-        app::keepPoints(settings, *course_.lesson(), score.points);
+        app::keepRight(settings, lesson, score.right);
     }
-    place_->setText(place);
     title_->setText(course_.lesson()->title);
 }
 
@@ -284,7 +289,7 @@ void LessonPanel::showEnding()
     ending_->setText(course_.ending());
     ending_->setVisible(!ending_->text().isEmpty());
     repeat_->setVisible(ending_->isVisibleTo(this)
-                        && !app::isPassed(course_.score().points, *course_.lesson()));
+                        && !app::isPassed(course_.score().right, *course_.lesson()));
 }
 
 void LessonPanel::changeEvent(QEvent* event)

@@ -45,10 +45,12 @@ std::optional<Question> askCheaper(const TracedLine& tracedLine, const Narration
     const QString what = Text::tr(operation->name);
     return Question{
         Text::tr("Which algorithm needs fewer %1 for this line?").arg(what),
-        {nameOf(*one), nameOf(*other), Text::tr("Both need the same number")},
+        {nameOf(*one), nameOf(*other), Text::tr("Both need the same number, at least one"),
+         Text::tr("Neither needs any")},
         ofOne < ofOther   ? 0
         : ofOther < ofOne ? 1
-                          : 2,
+        : ofOne > 0       ? 2
+                          : 3,
         Text::tr("Number of %5: %1 %2, %3 %4.")
             .arg(nameOf(*one))
             .arg(ofOne)
@@ -62,6 +64,6 @@ std::optional<Question> askCheaper(const TracedLine& tracedLine, const Narration
 } // namespace
 
 extern const QuestionKind cheaperQuestion;
-const QuestionKind cheaperQuestion{"cheaper", askCheaper, Covered::AllSteps};
+const QuestionKind cheaperQuestion{"cheaper", askCheaper, Covered::AllSteps, 4};
 
 } // namespace app

@@ -41,6 +41,6 @@ std::optional<Question> askEdge(const TracedLine& tracedLine, const Narration& n
 } // namespace
 
 extern const QuestionKind edgeQuestion;
-const QuestionKind edgeQuestion{"edge", askEdge, Covered::LaterSteps};
+const QuestionKind edgeQuestion{"edge", askEdge, Covered::LaterSteps, 4};
 
 } // namespace app

@@ -49,6 +49,6 @@ std::optional<Question> askNext(const TracedLine&, const Narration& narration, s
 } // namespace
 
 extern const QuestionKind nextQuestion;
-const QuestionKind nextQuestion{"next", askNext, Covered::LaterSteps};
+const QuestionKind nextQuestion{"next", askNext, Covered::LaterSteps, 4};
 
 } // namespace app

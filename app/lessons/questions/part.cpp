@@ -38,6 +38,6 @@ std::optional<Question> askPart(const TracedLine& tracedLine, const Narration&, 
 } // namespace
 
 extern const QuestionKind partQuestion;
-const QuestionKind partQuestion{"part", askPart, Covered::AllSteps};
+const QuestionKind partQuestion{"part", askPart, Covered::AllSteps, 3};
 
 } // namespace app

@@ -45,6 +45,6 @@ std::optional<Question> askRegion(const TracedLine& tracedLine, const Narration&
 } // namespace
 
 extern const QuestionKind regionQuestion;
-const QuestionKind regionQuestion{"region", askRegion, Covered::AllSteps};
+const QuestionKind regionQuestion{"region", askRegion, Covered::AllSteps, 4};
 
 } // namespace app

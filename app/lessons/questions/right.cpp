@@ -75,6 +75,6 @@ std::optional<Question> askRight(const TracedLine& tracedLine, const Narration& 
 } // namespace
 
 extern const QuestionKind rightQuestion;
-const QuestionKind rightQuestion{"right", askRight, Covered::AllSteps};
+const QuestionKind rightQuestion{"right", askRight, Covered::AllSteps, 5};
 
 } // namespace app

@@ -37,6 +37,6 @@ std::optional<Question> askVisible(const TracedLine& tracedLine, const Narration
 } // namespace
 
 extern const QuestionKind visibleQuestion;
-const QuestionKind visibleQuestion{"visible", askVisible, Covered::AllSteps};
+const QuestionKind visibleQuestion{"visible", askVisible, Covered::AllSteps, 4};
 
 } // namespace app

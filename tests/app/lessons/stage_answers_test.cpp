@@ -50,6 +50,7 @@ private slots:
     {
         app::Microscope microscope;
         app::Course course(microscope);
+        course.setSeed(0); // as the files have it
         int asked = 0;
         atEveryPage(course, [&] {
             const auto answers = app::stageAnswers(course, frameOf(microscope));
@@ -64,6 +65,7 @@ private slots:
     {
         app::Microscope microscope;
         app::Course course(microscope);
+        course.setSeed(0); // as the files have it
         course.begin(0);
         QVERIFY(asks(course, "part"));
         const app::FigureFrame frame = frameOf(microscope);
@@ -80,6 +82,7 @@ private slots:
     {
         app::Microscope microscope;
         app::Course course(microscope);
+        course.setSeed(0); // as the files have it
         atEveryPage(course, [&] {
             for (const QSizeF& size : {QSizeF(700, 600), QSizeF(340, 420), QSizeF(900, 300)}) {
                 const app::FigureFrame frame = frameOf(microscope, size);
@@ -100,6 +103,7 @@ private slots:
     {
         app::Microscope microscope;
         app::Course course(microscope);
+        course.setSeed(0); // as the files have it
         atEveryPage(course, [&] {
             const app::FigureFrame frame = frameOf(microscope);
             const auto answers = app::stageAnswers(course, frame);
@@ -119,6 +123,7 @@ private slots:
     {
         app::Microscope microscope;
         app::Course course(microscope);
+        course.setSeed(0); // as the files have it
         course.begin(1);
         while (!asksForAnEdge(course))
             course.isOpen() ? course.skip() : course.next();
@@ -139,6 +144,7 @@ private slots:
     {
         app::Microscope microscope;
         app::Course course(microscope);
+        course.setSeed(0); // as the files have it
         course.begin(1);
         while (!asksForAnEdge(course))
             course.isOpen() ? course.skip() : course.next();

@@ -75,6 +75,7 @@ inline void openFull(Desk& desk)
         open(desk);
     while (desk.session.now().objects().size() < 5 || !desk.session.windowNumber());
     desk.session.select({0, 1});
+    desk.session.course.setSeed(0); // as the file has it
     desk.session.course.begin(0);
     desk.session.course.showAnswer(); // until then the steps are covered
     desk.sheets.open();

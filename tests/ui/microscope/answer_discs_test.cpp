@@ -19,6 +19,7 @@ struct Stage {
     {
         page.resize(1100, 760);
         page.show();
+        course.setSeed(0); // as the file has it
         course.begin(1);
         while (!course.isOpen() || course.question()->parts.empty())
             course.isOpen() ? course.skip() : course.next();
