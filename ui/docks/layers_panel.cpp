@@ -69,6 +69,7 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
                 session_.pen.layer = layer;
                 remove_->setEnabled(model_->mayRemove(layer));
                 list_->viewport()->update(); // both rows
+                emit session_.displayChanged(); // its style for new objects
             });
     connect(model_, &QAbstractItemModel::modelReset, this, &LayersPanel::follow);
     connect(model_, &LayerModel::rowsChanged, this, &LayersPanel::restoreCurrent);

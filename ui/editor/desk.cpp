@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace ui {
@@ -374,8 +375,27 @@ void Desk::move(int from, int to)
     QMetaObject::invokeMethod(this, &Desk::showTabs, Qt::QueuedConnection);
 }
 
+/// Those without a file have names of their own, also in questions and for files to write.
+void Desk::numberDrawings()
+{
+    std::map<QString, std::set<int>> all;
+    for (const Open& open : open_) {
+        if (!open.window || !open.window->session().path().isEmpty())
+            continue;
+        Files& files = open.window->files();
+        std::set<int>& taken = all[files.title()];
+        int number = files.number();
+        if (taken.contains(number))
+            for (number = 1; taken.contains(number); ++number) {
+            }
+        taken.insert(number);
+        files.setNumber(number);
+    }
+}
+
 void Desk::showTabs()
 {
+    numberDrawings();
     std::vector<DrawingTab> tabs;
     for (const Open& open : open_)
         if (open.window)

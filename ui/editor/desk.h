@@ -87,6 +87,7 @@ private:
     void remove(std::size_t number);
     void removeWindow(Open gone);
     void move(int from, int to);
+    void numberDrawings();
     void showTabs();
     void rememberTabs();
     void give(MainWindow& from, int tab, bool moves);

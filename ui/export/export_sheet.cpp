@@ -97,13 +97,27 @@ void ExportSheet::begin()
     if (last)
         setRemark(Text::tr("as last time for %1").arg(files_.name()));
     live_->change(std::move(choice));
-    file_->setText(app::shownPath(last ? last->file : files_.exportProposal(live_->job().choice)));
+    named_ = live_->job().choice.area;
+    propose(last ? last->file : files_.exportProposal(live_->job().choice));
     formats_->choose(app::formatOf(live_->choice()));
     follow();
 }
 
+/// As long as the person has not given the file another name.
+void ExportSheet::propose(const QString& path)
+{
+    proposed_ = app::shownPath(path);
+    file_->setText(proposed_);
+}
+
 void ExportSheet::follow()
 {
+    // The name says what is in the file, so that no part of a drawing replaces another one.
+    if (const app::ExportChoice choice = live_->job().choice; choice.area != named_) {
+        named_ = choice.area;
+        if (file_->text() == proposed_)
+            propose(files_.exportProposal(choice));
+    }
     area_->follow();
     options_->follow();
     result_->follow();
@@ -121,7 +135,8 @@ void ExportSheet::takeFormat(const app::Format& format)
 {
     app::ExportChoice choice = files_.usualExport(format);
     choice.area = live_->choice().area;
-    file_->setText(app::shownPath(app::withEnding(path(), format)));
+    const QString renamed = app::withEnding(path(), format);
+    file_->text() == proposed_ ? propose(renamed) : file_->setText(app::shownPath(renamed));
     live_->change(std::move(choice));
 }
 

@@ -38,6 +38,7 @@ private:
     void addFile();
     void addButtons();
     void begin();
+    void propose(const QString& path);
     void follow();
     void takeFormat(const app::Format& format);
     void chooseFile();
@@ -56,6 +57,8 @@ private:
     QLineEdit* file_;
     LookLabel* remark_;
     QPushButton *copy_, *export_;
+    QString proposed_;        ///< the name that the sheet gave the file
+    app::ExportArea named_{}; ///< what it says
 };
 
 } // namespace ui

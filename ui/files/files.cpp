@@ -61,7 +61,17 @@ QString Files::name() const
 {
     if (!session_.path().isEmpty())
         return QFileInfo(session_.path()).fileName();
-    return title_.isEmpty() ? Text::tr("Untitled") : title_;
+    return number_ == 1 ? title() : Text::tr("%1 %2").arg(title()).arg(number_);
+}
+
+QString Files::title() const { return title_.isEmpty() ? Text::tr("Untitled") : title_; }
+
+void Files::setNumber(int number)
+{
+    if (number == number_)
+        return;
+    number_ = number;
+    emit nameChanged();
 }
 
 QString Files::folder() const

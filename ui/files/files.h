@@ -104,6 +104,10 @@ public:
     app::Origin origin() const; ///< restored with the document after a signal ended the program
     QString baseName() const;   ///< the name without the ending of a file
     QString name() const;       ///< for the title: the file's, the sample's, or "Untitled"
+    QString title() const;      ///< without the number that tells drawings without a file apart
+    int number() const { return number_; }
+    /// Tells it apart from another open drawing without a file: "Untitled 2". 1: there is none.
+    void setNumber(int number);
     QString sample() const { return sample_; } ///< the key of the sample that is open; empty: none
     std::vector<app::RecentFile> recent() const;
     void forgetRecent();
@@ -177,6 +181,7 @@ private:
     app::Session& session_;
     std::unique_ptr<Questions> questions_;
     QString title_, sample_;
+    int number_ = 1;
     QString opening_; ///< the file that is being read; empty: none
     Place place_;
     Held held_;

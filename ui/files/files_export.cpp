@@ -3,6 +3,7 @@
 #include "app/base/text.h"
 #include "app/comparison/cut_text.h"
 #include "app/session/clipboard.h"
+#include "app/session/export_name.h"
 #include "app/session/export_source.h"
 #include "app/session/window_words.h"
 #include "ui/files/files.h"
@@ -132,7 +133,10 @@ std::optional<app::DrawingExport> Files::lastExport() const
 app::ExportChoice Files::usualExport() const
 {
     const QSettings settings;
-    return app::lastChoice(settings, app::lastFormat(settings));
+    app::ExportChoice choice = app::lastChoice(settings, app::lastFormat(settings));
+    if (choice.area.part != app::ExportPart::Page) // it was of another drawing
+        choice.area.part = app::ExportPart::Cut;
+    return choice;
 }
 
 app::ExportChoice Files::usualExport(const app::Format& format) const
@@ -143,8 +147,7 @@ app::ExportChoice Files::usualExport(const app::Format& format) const
 QString Files::exportProposal(const app::ExportChoice& choice) const
 {
     const QString ending = u'.' + app::latin(app::formatOf(choice).key);
-    const bool cut = choice.area.part == app::ExportPart::Cut;
-    return proposal((cut ? QStringLiteral("-cut") : QStringLiteral("-export")) + ending);
+    return proposal(app::exportName(choice.area, session_.now()) + ending);
 }
 
 } // namespace ui

@@ -75,6 +75,7 @@ bool Files::show(app::Imported imported, const QString& path, const QString& tit
                  std::optional<app::SceneBlockCache> blocks)
 {
     title_ = title;
+    number_ = 1;
     sample_.clear();
     try {
         session_.load(std::move(imported), path, std::move(blocks));

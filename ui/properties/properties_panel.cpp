@@ -17,8 +17,8 @@ PropertiesPanel::PropertiesPanel(app::Session& session, Canvas& canvas, QWidget*
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(style_); // first: it stays in its place when something is selected
     column->addWidget(numbers_);
-    column->addWidget(style_);
     column->addStretch(1);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     const auto forward = [this](auto* part) {

@@ -14,7 +14,7 @@ class Canvas;
 class SelectionPanel;
 class StylePanel;
 
-/// What is selected: its numbers, and below them its style. With nothing selected it is the style
+/// What is selected: its style, and below that its numbers. With nothing selected it is the style
 /// of new objects. Its height is always the same; what is not used is empty.
 class PropertiesPanel : public QWidget {
     Q_OBJECT

@@ -2,6 +2,7 @@
 #include "app/commands/move_objects.h"
 #include "app/recovery/replay.h"
 #include "app/session/export_source.h"
+#include "app/session/layer_steps.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/window/drawing_tabs.h"
 #include "ui/window/workspaces.h"
@@ -110,6 +111,25 @@ private slots:
         QCOMPARE(contentOf(one), before);
     }
 
+    // In the tab, in the question, and for a file to write.
+    void drawingsWithoutAFileHaveNamesOfTheirOwn()
+    {
+        TestDesk t;
+        for (int i = 0; i < 2; ++i) {
+            t.run("new");
+            app::addLayer(t.desk->current().session(), "Walls");
+        }
+        t.run("new");
+        QCOMPARE(t.names(), QStringList({"Untitled", "Untitled 2", "Untitled 3"}));
+        t.desk->showTab(1);
+        QCOMPARE(t.desk->current().files().name(), QString("Untitled 2"));
+        QCOMPARE(QFileInfo(t.desk->current().files().exportProposal({})).fileName(),
+                 QString("Untitled 2-cut.svg"));
+        t.desk->close(t.desk->at(2)); // unused
+        QTRY_COMPARE(t.names(), QStringList({"Untitled", "Untitled 2"}));
+        t.run("new");
+        QTRY_COMPARE(t.names().last(), QString("Untitled 3"));
+    }
     void sameNamesAreToldApart()
     {
         TestDesk t;

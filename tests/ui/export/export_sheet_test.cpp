@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/remembered_choice.h"
 #include "app/session/export_source.h"
 #include "app/session/window_steps.h"
 #include "ui/export/export_preview.h"
@@ -99,6 +100,35 @@ private slots:
         copied = QGuiApplication::clipboard()->mimeData();
         QVERIFY(!QImage::fromData(copied->data("image/png"), "png").isNull());
         QVERIFY(!copied->hasText());
+    }
+    void theNameSaysWhatIsInTheFileUntilAnotherIsTyped()
+    {
+        Desk t;
+        t.openSheet();
+        const auto name = [&t] {
+            return QFileInfo(t.part<QLineEdit>("export-file").text()).fileName();
+        };
+        t.press("export-page");
+        QVERIFY2(name().endsWith("-page.svg"), qPrintable(name()));
+        t.press("export-layer");
+        QVERIFY2(name().endsWith("-Lines.svg") || name().endsWith("-Logo.svg"), qPrintable(name()));
+        t.press("export-as-png");
+        t.press("export-page");
+        QVERIFY2(name().endsWith("-page.png"), qPrintable(name()));
+        t.part<QLineEdit>("export-file").setText("mine.png");
+        t.press("export-layer");
+        QCOMPARE(name(), QString("mine.png"));
+    }
+    void aPartOfAnotherDrawingIsNotRemembered()
+    {
+        for (const auto& [kept, next] : {std::pair(app::ExportPart::Layer, app::ExportPart::Cut),
+                                         std::pair(app::ExportPart::Page, app::ExportPart::Page)}) {
+            Desk t;
+            QSettings settings;
+            app::remember(settings, {{}, {}, {.format = "png", .area = {.part = kept}}});
+            QCOMPARE(t.window->files().usualExport().format, std::string("png"));
+            QCOMPARE(t.window->files().usualExport().area.part, next);
+        }
     }
     void thePreviewStandsInPlaceOfTheDrawing()
     {
