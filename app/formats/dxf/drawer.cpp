@@ -37,6 +37,8 @@ void Drawer::drawAll(Records records, const Place& place)
     std::size_t before = records.pairsRead();
     while (!endsEntities(records.nextType())) {
         records.next(record);
+        if (records.nextType().empty())
+            break; // the file ends here, perhaps within this entity
         report_.turnTo(record.line);
         draw({record, records, place, *this});
         if (place.depth > 0)

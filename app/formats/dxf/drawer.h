@@ -76,6 +76,7 @@ public:
     const Header& header() const { return header_; }
     const Tables& tables() const { return tables_; }
     Report& report() { return report_; }
+    void count(std::size_t parts); ///< towards the limit of the drawing
     /// A length in drawing units.
     double units(double millimetres) const { return millimetres / header_.millimetres(); }
 
@@ -84,7 +85,6 @@ private:
     std::size_t layerOf(const Entity& entity);
     StyleEntry styleOf(const Entity& entity, std::size_t layer, Paint paint, double width);
     bool isHidden(const Entity& entity) const;
-    void count(std::size_t parts);
     void countRepeated(std::size_t pairs);
 
     const Header& header_;

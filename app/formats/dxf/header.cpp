@@ -85,7 +85,7 @@ void readHeader(const Record& section, Header& header, Report& report)
         if (code != name || setting == settings.end())
             continue;
         try {
-            setting->take(section.pairs[i + 1].value, header, report);
+            setting->take(withoutBlanks(section.pairs[i + 1].value), header, report);
         } catch (const BadValue&) {
             report.turnTo(section.line);
             report.add(losses::badTableEntry);

@@ -45,14 +45,6 @@ std::vector<Subpath> distorted(std::vector<Subpath> paths, const Space& space, c
     return paths;
 }
 
-bool isLong(const std::vector<TextLine>& lines)
-{
-    qsizetype letters = 0;
-    for (const TextLine& line : lines)
-        letters += line.text.size();
-    return letters > longestText;
-}
-
 } // namespace
 
 double widthOf(const TextLine& line)
@@ -65,17 +57,22 @@ double widthOf(const TextLine& line)
 
 QStringList wrapped(const QStringList& paragraphs, double size, double width)
 {
+    constexpr double blank = 0.8; // as wide as this many heights of capitals
     if (!(width > 0))
         return paragraphs;
     QStringList lines;
     for (const QString& paragraph : paragraphs) {
-        lines << QString();
-        for (const QString& word : paragraph.split(u' ')) {
-            const QString longer = lines.back().isEmpty() ? word : lines.back() + u' ' + word;
-            if (lines.back().isEmpty() || widthOf({longer, size}) <= width)
-                lines.back() = longer;
-            else
-                lines << word;
+        double used = 0;
+        const QStringList words = paragraph.split(u' ');
+        for (qsizetype i = 0; i < words.size(); ++i) {
+            const double word = widthOf({words[i], size});
+            if (i > 0 && used + size * blank + word <= width) {
+                lines.back() += u' ' + words[i];
+                used += size * blank + word;
+            } else {
+                lines << words[i];
+                used = word;
+            }
         }
     }
     return lines;
@@ -89,13 +86,17 @@ Space slanted(double degrees)
     return space;
 }
 
+bool refusesText(const Entity& entity, qsizetype letters)
+{
+    entity.drawer.count(std::size_t(letters));
+    if (letters > longestText)
+        entity.drawer.report().add(losses::longText);
+    return letters > longestText;
+}
+
 void addLetters(const Entity& entity, const std::vector<TextLine>& lines, const Space& space)
 {
     Report& report = entity.drawer.report();
-    if (isLong(lines)) {
-        report.add(losses::longText);
-        return;
-    }
     Shape shape{.paint = Paint::Letters};
     QStringList missing;
     for (const TextLine& line : lines) {

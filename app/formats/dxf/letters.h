@@ -19,6 +19,8 @@ double widthOf(const TextLine& line);
 QStringList wrapped(const QStringList& paragraphs, double size, double width);
 Space slanted(double degrees);
 
+/// Whether a text is too long to be drawn, which is reported.
+bool refusesText(const Entity& entity, qsizetype letters);
 /// Adds the lines as one shape of strokes. One line that is not distorted stays a text.
 void addLetters(const Entity& entity, const std::vector<TextLine>& lines, const Space& space);
 

@@ -5,7 +5,7 @@
 
 namespace app::dxf {
 
-static std::string_view withoutBlanks(std::string_view text)
+std::string_view withoutBlanks(std::string_view text)
 {
     constexpr std::string_view blanks = " \t\r";
     const std::size_t first = text.find_first_not_of(blanks);
@@ -14,20 +14,28 @@ static std::string_view withoutBlanks(std::string_view text)
                : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
+static std::string_view withoutReturn(std::string_view text)
+{
+    return text.ends_with('\r') ? text.substr(0, text.size() - 1) : text;
+}
+
+// Parts of a long text end anywhere, also at a blank.
+static bool isText(int code) { return code == 1 || code == 3; }
+
 std::string_view Pairs::takeLine()
 {
     const std::size_t end = rest_.find('\n');
     const std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     ++lines_;
-    return withoutBlanks(line);
+    return line;
 }
 
 bool Pairs::next(Pair& pair)
 {
     constexpr int comment = 999;
     do {
-        const std::string_view code = takeLine();
+        const std::string_view code = withoutBlanks(takeLine());
         line_ = lines_;
         if (rest_.empty()) { // an end without a value; a last empty line is no damage
             damaged_ = !code.empty();
@@ -40,7 +48,7 @@ bool Pairs::next(Pair& pair)
             rest_ = {};
             return false;
         }
-        pair.value = takeLine();
+        pair.value = isText(pair.code) ? withoutReturn(takeLine()) : withoutBlanks(takeLine());
     } while (pair.code == comment);
     return true;
 }

@@ -10,8 +10,10 @@ namespace app::dxf {
 /// A group of a DXF file: two lines, a code that says what the value means, and the value.
 struct Pair {
     int code;
-    std::string_view value; ///< without blanks around it
+    std::string_view value; ///< without blanks around it, unless it is a text (1 or 3)
 };
+
+std::string_view withoutBlanks(std::string_view text); ///< around it
 
 /// Reads the pairs of a file in memory, one after another. A copy continues at the same place.
 class Pairs {

@@ -59,7 +59,8 @@ public:
         const double third = (to - from) / 3;
         const Bezier curve{begin.at, begin.at + begin.slope * third, end.at - end.slope * third,
                            end.at};
-        if (depth < deepest && !isNear(curve, from, to, span)) {
+        const bool may = depth < deepest && path.segments.size() < mostCurves;
+        if (may && !isNear(curve, from, to, span)) {
             const double middle = (from + to) / 2;
             add(from, middle, span, path, depth + 1);
             add(middle, to, span, path, depth + 1);
@@ -72,6 +73,7 @@ public:
 
 private:
     static constexpr int deepest = 12;
+    static constexpr std::size_t mostCurves = 200'000; ///< further spans are one curve each
 
     bool isNear(const Bezier& curve, double from, double to, std::size_t span)
     {

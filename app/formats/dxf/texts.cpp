@@ -3,7 +3,6 @@
 #include "app/formats/dxf/letters.h"
 #include "app/formats/dxf/losses.h"
 #include "app/formats/dxf/text_code.h"
-#include "app/lettering/lettering.h"
 
 #include <glm/trigonometric.hpp>
 
@@ -67,6 +66,8 @@ void drawText(const Entity& entity)
     const int generation =
         record.integer(71, (style.backwards ? backwards : 0) | (style.upsideDown ? upsideDown : 0));
     TextLine line{plainText(textOf(entity, record.text(1)))};
+    if (refusesText(entity, line.text.size()))
+        return;
     line.size = heightOf(entity, style);
     const double width = widthOf(line);
     double angle = record.number(50), wide = record.number(41, style.widthFactor);
@@ -105,10 +106,9 @@ void drawMText(const Entity& entity)
     for (const auto& [code, value] : record.pairs)
         if (code == 1 || code == 3)
             bytes += value;
-    if (bytes.size() > 4 * std::size_t(longestText)) {
-        entity.drawer.report().add(losses::longText);
+    const QStringList text = paragraphs(textOf(entity, bytes));
+    if (refusesText(entity, text.join(u'\n').size()))
         return;
-    }
     const TextStyle style = styleOf(entity);
     const double size = heightOf(entity, style);
     double angle = record.number(50);
@@ -117,7 +117,7 @@ void drawMText(const Entity& entity)
         angle = glm::degrees(std::atan2(along.y, along.x));
     }
     std::vector<TextLine> lines;
-    for (const QString& line : wrapped(paragraphs(textOf(entity, bytes)), size, record.number(41)))
+    for (const QString& line : wrapped(text, size, record.number(41)))
         lines.push_back({line, size});
     const int place = std::clamp(record.integer(71, 1), 1, 9) - 1;
     constexpr double pitch = 5.0 / 3;

@@ -433,6 +433,8 @@ private slots:
                                    "display='none'/></svg>";
         for (const auto& format : app::formats())
             for (const char* command : {"clip", "convert"}) {
+                if (!format.write)
+                    continue;
                 const QString key = QLatin1StringView(format.key);
                 const QStringList arguments{command, "-", "--from", "svg", "--to", key, "-o", "-"};
                 const auto run = clearcut(arguments, drawing);
@@ -667,6 +669,8 @@ private slots:
     {
         writeText(path("a.csv"), "0,0,90,90\n");
         for (const auto& format : app::formats()) {
+            if (!format.write)
+                continue;
             const auto name = QString::fromUtf8(format.key.data(), qsizetype(format.key.size()));
             const QString out = path("out." + name);
             const auto toFile = clearcut({"clip", path("a.csv"), "-o", out, "--dpi", "50"});

@@ -139,6 +139,8 @@ private slots:
             options.dpi = coarse;
             options.tolerance = round % 20 == 0 ? 0 : 1e300; // few chords
             for (const app::Format& format : app::formats()) {
+                if (!format.write)
+                    continue;
                 const QString fault = faultOfWriting(result.value->document, format, options);
                 VERIFY_OR_SAY(fault.isEmpty(), text + '\n' + fault.toUtf8());
             }
@@ -166,6 +168,8 @@ private slots:
             app::WriteOptions options;
             options.dpi = coarse;
             for (const app::Format& format : app::formats()) {
+                if (!format.write)
+                    continue;
                 const QString fault = faultOfWriting(result.value->document, format, options);
                 VERIFY_OR_SAY(fault.isEmpty(), text + '\n' + fault.toUtf8());
             }
@@ -197,8 +201,8 @@ private slots:
             const bool usable = !app::faultOf(page);
             const app::Document document = builder.take(page);
             for (const app::Format& format : app::formats()) {
-                if (format.key == "csv" && !usable)
-                    continue; // it has no page
+                if (!format.write || (format.key == "csv" && !usable))
+                    continue; // a table has no page
                 app::WriteOptions options;
                 options.dpi = coarse;
                 const QString fault = faultOfWriting(document, format, options, PageIs::Any);

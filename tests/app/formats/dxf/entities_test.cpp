@@ -286,6 +286,12 @@ private slots:
         const Sheet wrapped = sheet(file("0|MTEXT|10|0|20|0|40|5|41|12|1|HH HH HH"));
         QVERIFY(boundsOf(wrapped.shapes.at(0)).max.y > 20); // three lines
     }
+    void aLongTextIsPutTogether()
+    {
+        const auto imported = tests::dxf::read(file("0|MTEXT|10|0|20|0|40|5|3|two |3|wo|1|rds"));
+        const Recipe recipe = imported.value->document.objects()[0].particulars().recipe;
+        QCOMPARE(std::get<TextRecipe>(recipe).text, QStringLiteral("two words"));
+    }
     void textsOfOtherCodePages()
     {
         const auto layerOf = [](const QByteArray& name, const QByteArray& page) {

@@ -157,16 +157,13 @@ private slots:
     }
     void numbersBeyondAllDrawingsAreTold()
     {
-        QCOMPARE(
-            report(file("0|LINE|10|1e101|0|ARC|40|1|50|1e99|51|0|0|INSERT|2|A|41|1e99",
-                        section("BLOCKS", block("A", "0|INSERT|2|B|41|1e99").chopped(1) + '|'
-                                              + block("B", "0|INSERT|2|C|41|1e99")
-                                              + block("C", "0|INSERT|2|D|41|1e99")
-                                              + block("D", "0|LINE|10|1e99|11|2e99").chopped(1)))),
-            (QStringList{"1 damaged entity of the type “LINE”",
-                         "4 inserted blocks became separate shapes",
-                         "1 damaged entity of the type “LINE”"}
-                 .mid(0, 2)));
+        const QByteArray blocks =
+            block("A", "0|INSERT|2|B|41|1e99") + block("B", "0|INSERT|2|C|41|1e99")
+            + block("C", "0|INSERT|2|D|41|1e99") + block("D", "0|LINE|10|1e99|11|2e99");
+        QCOMPARE(report(file("0|LINE|10|1e101|0|ARC|40|1|50|1e99|51|0|0|INSERT|2|A|41|1e99",
+                             section("BLOCKS", blocks.chopped(1)))),
+                 (QStringList{"2 damaged entities of the type “LINE”",
+                              "4 inserted blocks became separate shapes"}));
     }
     void manyLayersBecomeOne()
     {
@@ -189,12 +186,12 @@ private slots:
     {
         const auto imported = tests::dxf::read(everything());
         QVERIFY(imported);
-        QCOMPARE(imported.value->document.objects().size(), 20u);
+        QCOMPARE(imported.value->document.objects().size(), 19u);
         QVERIFY(isDrawable(imported.value->document));
     }
     void damagedFilesAreReadOrRefused()
     {
-        constexpr int cases = 20'000;
+        constexpr int cases = 6'000;
         const QByteArray whole = everything();
         Damage damage(1);
         int read = 0;
