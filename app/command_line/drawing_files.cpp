@@ -69,6 +69,18 @@ const Format& drawingFormat(const ParsedArguments& arguments, const QString& opt
                          .arg(path == standardStream ? stream : path, type, types)};
 }
 
+ReadOptions readOptionsOf(const ParsedArguments& arguments)
+{
+    const QString option = QStringLiteral("unit");
+    const auto text = arguments.text(option);
+    if (!text)
+        return {};
+    const auto unit = std::ranges::find(units(), text->toStdString(), &UnitInfo::suffix);
+    if (unit == units().end() || !(unit->millimetres > 0))
+        refuse({option, *text}, Text::tr("a unit such as mm, m or in"));
+    return {unit->unit};
+}
+
 } // namespace
 
 const Format& readFormatOf(const ParsedArguments& arguments, const QString& path)
@@ -76,8 +88,13 @@ const Format& readFormatOf(const ParsedArguments& arguments, const QString& path
     const bool there = QFileInfo::exists(path) && !QFileInfo(path).isDir();
     if (path != standardStream && !there)
         return formats()[0];
-    return drawingFormat(arguments, QStringLiteral("from"), path, &Format::read,
-                         formatToRead(path));
+    const Format& format =
+        drawingFormat(arguments, QStringLiteral("from"), path, &Format::read, formatToRead(path));
+    if (readOptionsOf(arguments).unit && !format.readWith)
+        throw WrongUsage{
+            Text::tr("--unit: a file of type %1 is in its own unit. Leave out the option.")
+                .arg(QLatin1StringView(format.key))};
+    return format;
 }
 
 std::vector<Option> readingOptions()
@@ -85,7 +102,11 @@ std::vector<Option> readingOptions()
     return {{{"from"},
              "TYPE",
              Text::tr("Type of the input (%1), if its name does not show it.")
-                 .arg(typesWith(&Format::read))}};
+                 .arg(typesWith(&Format::read))},
+            {{"unit"},
+             "UNIT",
+             Text::tr("Unit of a dxf file that does not say it, or says it wrongly: mm, cm, m, in "
+                      "or ft (mm).")}};
 }
 
 std::vector<Option> writingOptions()
@@ -164,9 +185,9 @@ QStringList readingAndWritingLimits()
     return limitsOf([](const Format&) { return true; });
 }
 
-static Imported readAs(const QString& path, const Format& format)
+static Imported readAs(const QString& path, const Format& format, const ReadOptions& options)
 {
-    auto imported = readFile(path, &format);
+    auto imported = readFile(path, &format, options);
     if (!imported)
         throw Failure{imported.error};
     return std::move(*imported.value);
@@ -175,18 +196,18 @@ static Imported readAs(const QString& path, const Format& format)
 Imported readDrawing(const QString& path)
 {
     const Format* format = formatToRead(path);
-    return readAs(path, format ? *format : formats()[0]);
+    return readAs(path, format ? *format : formats()[0], {});
 }
 
 Imported readDrawing(const ParsedArguments& arguments, const QString& path)
 {
     const Format& format = readFormatOf(arguments, path);
     if (path != standardStream)
-        return readAs(path, format);
+        return readAs(path, format, readOptionsOf(arguments));
     QFile in;
     if (!in.open(stdin, QIODevice::ReadOnly))
         throw Failure{Text::tr("Cannot read standard input: %1.").arg(in.errorString())};
-    auto imported = readOpenFile(in, format);
+    auto imported = readOpenFile(in, format, readOptionsOf(arguments));
     if (!imported)
         throw Failure{Text::tr("Cannot read standard input: %1").arg(imported.error)};
     return std::move(*imported.value);

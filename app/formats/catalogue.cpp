@@ -67,7 +67,7 @@ bool mustSaveAs(const std::vector<Loss>& report)
     return std::ranges::any_of(report, [](const Loss& loss) { return !loss.remark || loss.cut; });
 }
 
-Result<Imported> readFile(const QString& path, const Format* format)
+Result<Imported> readFile(const QString& path, const Format* format, const ReadOptions& options)
 {
     const auto failure = [&](const QString& why) {
         return Result<Imported>::failure(Text::tr("Cannot open %1: %2").arg(path, why));
@@ -82,7 +82,7 @@ Result<Imported> readFile(const QString& path, const Format* format)
     if (!file.open(QIODevice::ReadOnly))
         return failure(file.errorString() + u'.');
     try {
-        Result<Imported> result = readOpenFile(file, *format);
+        Result<Imported> result = readOpenFile(file, *format, options);
         return result ? std::move(result) : failure(result.error);
     } catch (const std::bad_alloc&) {
         return failure(

@@ -11,7 +11,7 @@ Format dxfFormat()
 {
     return {"dxf",
             Text::tr("DXF drawing"),
-            dxf::read,
+            [](QIODevice& in) { return dxf::read(in, {}); },
             nullptr,
             Holds::Paths,
             StoresHidden::No,
@@ -20,7 +20,8 @@ Format dxfFormat()
                 .arg(countText(std::size_t(dxf::deepestInsert)), countText(dxf::mostParts),
                      countText(Containers::mostLayers)),
             Text::tr("CAD drawings"),
-            {}};
+            {},
+            dxf::read};
 }
 
 } // namespace app

@@ -52,6 +52,11 @@ struct Imported {
     bool lossy() const; ///< has a loss that is not a remark
 };
 
+/// What a person says about a file that may not say it itself.
+struct ReadOptions {
+    std::optional<Unit> unit{}; ///< of its coordinates; one that has a size
+};
+
 struct WriteOptions {
     int precision = -1;   ///< decimals; -1: the shortest text that reads back bit for bit
     double dpi = 96;      ///< PNG only
@@ -98,6 +103,8 @@ struct Format {
     QString limits{}; ///< the largest content of a file, worded to follow "at most "; may be empty
     QString purpose{}; ///< what its files are for, in two words: "edit again"
     FormatTakes takes{};
+    /// Reads with options; null: the format takes none.
+    Result<Imported> (*readWith)(QIODevice& in, const ReadOptions& options) = nullptr;
 };
 
 /// All formats, in menu order; the first one is the native format.
@@ -107,7 +114,8 @@ const Format* formatOfFile(const QString& path); ///< by the file name extension
 
 /// Opens and reads a file in the given format, or else in the format of its extension. The error
 /// sentence names the file. Refuses directories and unknown extensions.
-Result<Imported> readFile(const QString& path, const Format* format = nullptr);
+Result<Imported> readFile(const QString& path, const Format* format = nullptr,
+                          const ReadOptions& options = {});
 
 /// Writes a file in the given format, or else in the format of its extension. An existing file is
 /// replaced only by a complete new file (QSaveFile); devices and pipes are written to directly.

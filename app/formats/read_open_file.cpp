@@ -8,9 +8,10 @@
 
 namespace app {
 
-Result<Imported> readOpenFile(QFileDevice& file, const Format& format)
+Result<Imported> readOpenFile(QFileDevice& file, const Format& format, const ReadOptions& options)
 {
-    auto result = format.read(file); // treats a read error as the end of the file
+    // A read error is treated as the end of the file.
+    auto result = format.readWith ? format.readWith(file, options) : format.read(file);
     if (file.error() == QFileDevice::NoError)
         return result;
     return Result<Imported>::failure(

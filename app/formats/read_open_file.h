@@ -9,7 +9,8 @@ namespace app {
 
 /// Reads an open file. A read error in the middle of it is reported as an error, never as a shorter
 /// drawing.
-Result<Imported> readOpenFile(QFileDevice& file, const Format& format);
+Result<Imported> readOpenFile(QFileDevice& file, const Format& format,
+                              const ReadOptions& options = {});
 
 /// Why this file cannot be opened, to follow "Cannot open NAME: ": it is a folder, or not there.
 std::optional<QString> faultToOpen(const QString& path);

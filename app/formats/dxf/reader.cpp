@@ -22,7 +22,10 @@ using svg::Refused;
 /// The parts of a file, found in one pass; entities are drawn when all of them are known.
 class Reader {
 public:
-    explicit Reader(std::string_view text) : text_(text), records_(text) {}
+    Reader(std::string_view text, const ReadOptions& options)
+        : text_(text), options_(options), records_(text)
+    {
+    }
 
     Imported read()
     {
@@ -31,6 +34,8 @@ public:
             if (record_.type == "SECTION")
                 readSection(record_.text(2));
         tellEnd();
+        if (options_.unit)
+            header_.unit = DrawingUnit{0, infoOf(*options_.unit).millimetres, *options_.unit};
         Drawer drawer(header_, tables_, blocks_, report_, text_.size());
         for (const Records& entities : entities_)
             drawer.drawAll(entities, {});
@@ -99,6 +104,7 @@ private:
     }
 
     std::string_view text_;
+    const ReadOptions& options_;
     Records records_;
     Record record_;
     Report report_;
@@ -154,11 +160,12 @@ QByteArray textOf(QIODevice& in)
 
 } // namespace
 
-Result<Imported> read(QIODevice& in)
+Result<Imported> read(QIODevice& in, const ReadOptions& options)
 {
     try {
         const QByteArray text = textOf(in);
-        return Result<Imported>::of(Reader({text.constData(), std::size_t(text.size())}).read());
+        return Result<Imported>::of(
+            Reader({text.constData(), std::size_t(text.size())}, options).read());
     } catch (const Refused& refused) {
         return Result<Imported>::failure(
             refused.line > 0 ? Text::tr("line %1 %2").arg(refused.line).arg(refused.why)
