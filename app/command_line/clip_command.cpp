@@ -155,7 +155,8 @@ void clip(const ParsedArguments& arguments)
         return clipTable(arguments, input, output,
                          cutOptionsOf(arguments, tableWithoutLines(), output));
     Laps laps;
-    const Imported imported = readDrawing(arguments, input);
+    Imported imported = readDrawing(arguments, input);
+    joinAsAsked(arguments, imported);
     refuseLossInPlace(arguments, imported, input, output);
     laps.lap(Text::tr("read"));
 
@@ -230,6 +231,7 @@ Command clipCommand()
     for (const auto& more : {further, cuttingOptions(), tileOptions(), tableClipOptions(),
                              partOptions(), writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
+    options.push_back(joinOption());
     options.push_back({{"q", "quiet"}, {}, Text::tr("Do not report windows, counts and losses.")});
     options.push_back({{"stats"}, {}, Text::tr("Report the number of lines and the times.")});
     return {"clip",

@@ -14,7 +14,8 @@ void convert(const ParsedArguments& arguments)
 {
     const QString input = arguments.operands().first();
     Output output = outputOf(arguments, input);
-    const Imported imported = readDrawing(arguments, input);
+    Imported imported = readDrawing(arguments, input);
+    joinAsAsked(arguments, imported);
     refuseLossInPlace(arguments, imported, input, output);
     output.options.tolerance = toleranceOf(arguments, imported.document.page());
     auto [drawing, rows] = chosenPart(arguments, imported);
@@ -36,6 +37,7 @@ Command convertCommand()
     std::vector<Option> options = partOptions();
     for (const auto& more : {writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
+    options.push_back(joinOption());
     options.push_back(toleranceOption());
     options.push_back({{"q", "quiet"}, {}, Text::tr("Do not report losses.")});
     return {"convert",

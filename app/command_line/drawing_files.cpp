@@ -9,6 +9,7 @@
 #include "app/formats/loss_text.h"
 #include "app/formats/read_open_file.h"
 #include "app/formats/svg/colour.h"
+#include "app/nodes/join_lines.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -109,6 +110,13 @@ std::vector<Option> readingOptions()
                       "or ft (mm).")}};
 }
 
+Option joinOption()
+{
+    return {{"join"},
+            "LENGTH",
+            Text::tr("Join lines of the same layer and style whose ends are no farther apart.")};
+}
+
 std::vector<Option> writingOptions()
 {
     return {
@@ -197,6 +205,20 @@ Imported readDrawing(const QString& path)
 {
     const Format* format = formatToRead(path);
     return readAs(path, format ? *format : formats()[0], {});
+}
+
+// Lines that are joined have no rows of a table any more.
+void joinAsAsked(const ParsedArguments& arguments, Imported& imported)
+{
+    const QString option = QStringLiteral("join");
+    const auto distance = arguments.length(option);
+    if (!distance)
+        return;
+    const double tolerance = toUserUnits(*distance, imported.document.page().millimetresPerUnit());
+    if (!(tolerance >= 0))
+        throw WrongUsage{Text::tr("--join must not be negative.")};
+    if (joinLines(imported.document, tolerance) > 0)
+        imported.rows.clear();
 }
 
 Imported readDrawing(const ParsedArguments& arguments, const QString& path)

@@ -34,6 +34,11 @@ Imported readDrawing(const QString& path);
 /// The same for the input of a command, which may be standard input, or have a type that is given.
 Imported readDrawing(const ParsedArguments& arguments, const QString& path);
 
+/// --join, for commands that write a drawing.
+Option joinOption();
+/// Joins lines whose ends meet, if --join is given; throws WrongUsage.
+void joinAsAsked(const ParsedArguments& arguments, Imported& imported);
+
 /// The target of a drawing, known before anything is read, so that a wrong usage is reported first.
 struct Output {
     QString path; ///< "-": standard output

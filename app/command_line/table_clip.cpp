@@ -77,8 +77,8 @@ bool clipsTable(const ParsedArguments& arguments, const QString& input, const Ou
         arguments.has(QStringLiteral("occlude"))
         || arguments.has(QStringLiteral("strokes-as-areas"))
         || arguments.has(QStringLiteral("tiles")) || arguments.has(QStringLiteral("in-place"))
-        || arguments.has(QStringLiteral("layer")) || arguments.has(QStringLiteral("fit-paper"))
-        || !windowsNeedNoDrawing(arguments);
+        || arguments.has(QStringLiteral("layer")) || arguments.has(QStringLiteral("join"))
+        || arguments.has(QStringLiteral("fit-paper")) || !windowsNeedNoDrawing(arguments);
     wholeDrawing =
         wholeDrawing || output.format->key != "csv" || readFormatOf(arguments, input).key != "csv";
     for (const Option& option : tableClipOptions())
@@ -86,7 +86,7 @@ bool clipsTable(const ParsedArguments& arguments, const QString& input, const Ou
             throw WrongUsage{
                 Text::tr("--%1 needs a table (csv) as input and output, and a window such as -w "
                          "0,0,100,50. Leave out --occlude, --strokes-as-areas, --tiles, --layer, "
-                         "--fit-paper and --in-place, which need all lines at once.")
+                         "--join, --fit-paper and --in-place, which need all lines at once.")
                     .arg(option.names.back())};
     return !wholeDrawing;
 }

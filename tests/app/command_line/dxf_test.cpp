@@ -59,6 +59,21 @@ private slots:
         QCOMPARE(other.code, 2);
         QVERIFY2(other.err.contains("--unit: a file of type csv is in its own unit."), other.err);
     }
+    void linesAreJoinedWhenAsked()
+    {
+        const QByteArray corner = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nA\n11\n5\n"
+                                  "0\nLINE\n8\nA\n10\n5\n11\n5\n21\n7\n0\nENDSEC\n0\nEOF\n";
+        const QStringList options{"--to", "svg", "-o", "-"};
+        QVERIFY(run("convert", options, corner).out.count("<path") == 2);
+        for (const char* command : {"convert", "clip"}) {
+            const auto ended = run(command, options + QStringList{"--join", "0"}, corner);
+            QVERIFY2(ended.out.count("<path") == 1 && ended.out.contains("M0 0L5 0L5 -7"),
+                     ended.out);
+        }
+        const auto negative = run("convert", options + QStringList{"--join", "-1"}, corner);
+        QVERIFY2(negative.code == 2 && negative.err.contains("--join must not be negative."),
+                 negative.err);
+    }
 };
 
 } // namespace command_line_dxf_test
