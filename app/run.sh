@@ -7,7 +7,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(dirname "$here")
 file=$(realpath -- "${1:-$root/resources/samples/rosette.svg}")
 
-bash "$here/install_packages.sh" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libexpat1-dev hershey-fonts-data libglm-dev libboost-dev
+bash "$here/install_packages.sh" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libexpat1-dev zlib1g-dev hershey-fonts-data libglm-dev libboost-dev
 cd "$root"
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT

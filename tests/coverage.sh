@@ -9,7 +9,7 @@
 #    code (--exclude-throw-branches, --exclude-unreachable-branches).
 set -euo pipefail
 cd "$(dirname "$0")/.."
-bash app/install_packages.sh g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libexpat1-dev hershey-fonts-data libglm-dev \
+bash app/install_packages.sh g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libexpat1-dev zlib1g-dev hershey-fonts-data libglm-dev \
     libboost-dev xvfb gcovr
 build=build/coverage
 

@@ -20,7 +20,7 @@ fuzz) more=(clang "?libclang-rt-14-dev") ;; # the latter: libFuzzer on Debian 12
 deep | coverage) more=(qt6-l10n-tools) ;; # the test of texts
 *) more=() ;;
 esac
-bash "$root/app/install_packages.sh" "${more[@]}" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libexpat1-dev hershey-fonts-data libglm-dev \
+bash "$root/app/install_packages.sh" "${more[@]}" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libexpat1-dev zlib1g-dev hershey-fonts-data libglm-dev \
     libboost-dev libtbb-dev pkgconf dpkg-dev python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-shapely python3-dask python3-distributed parallel xvfb xauth python3-pyatspi at-spi2-core dbus xdotool fonts-dejavu-core librsvg2-bin poppler-utils texlive-latex-recommended
 cd "$root"
 export QT_LOGGING_RULES='*.debug=false'

@@ -2,8 +2,10 @@
 #include "app/base/replace_file.h"
 #include "app/base/text.h"
 #include "app/formats/format.h"
+#include "app/formats/gzip.h"
 #include "app/formats/read_open_file.h"
 
+#include <QBuffer>
 #include <QFile>
 #include <QFileInfo>
 
@@ -55,7 +57,15 @@ const Format* findFormat(QStringView key)
     return found == formats().end() ? nullptr : &*found;
 }
 
-const Format* formatOfFile(const QString& path) { return findFormat(QFileInfo(path).suffix()); }
+static bool isCompressedSvg(const QString& path)
+{
+    return QFileInfo(path).suffix().compare(QStringLiteral("svgz"), Qt::CaseInsensitive) == 0;
+}
+
+const Format* formatOfFile(const QString& path)
+{
+    return findFormat(isCompressedSvg(path) ? QStringLiteral("svg") : QFileInfo(path).suffix());
+}
 
 bool Imported::lossy() const
 {
@@ -74,7 +84,7 @@ Result<Imported> readFile(const QString& path, const Format* format, const ReadO
     };
     if (const auto fault = faultToOpen(path))
         return failure(*fault);
-    format = format ? format : formatToRead(path);
+    format = format ? format : formatOfFile(path);
     if (!format || !format->read)
         return failure(Text::tr("Clearcut does not read this type of file. It reads %1.")
                            .arg(typesWith(&Format::read)));
@@ -100,8 +110,13 @@ std::optional<QString> writeFile(const Document& document, const QString& path,
     if (!format || !format->write)
         return failure(Text::tr("Clearcut does not write this type of file. It writes %1.")
                            .arg(typesWith(&Format::write)));
+    const bool compresses = isCompressedSvg(path) && format == findFormat(u"svg");
     const auto error = replaceFile(path, [&](QIODevice& out) {
-        auto wrong = format->write(document, out, options);
+        QBuffer plain;
+        plain.open(QIODevice::WriteOnly);
+        auto wrong = format->write(document, compresses ? plain : out, options);
+        if (!wrong && compresses && out.write(zipped(plain.data())) < 0)
+            wrong = out.errorString() + u'.';
         if (!wrong && options.stop.stop_requested())
             wrong = Text::tr("it was cancelled.");
         return wrong;

@@ -58,8 +58,8 @@ struct ReadOptions {
 };
 
 struct WriteOptions {
-    int precision = -1;   ///< decimals; -1: the shortest text that reads back bit for bit
-    double dpi = 96;      ///< PNG only
+    int precision = -1; ///< decimals; -1: the shortest text that reads back bit for bit
+    double dpi = 96;    ///< PNG only
     /// Painted on the whole page, behind the drawing. Empty: what is usual, which is white in a
     /// picture and nothing elsewhere. With alpha 0 a picture is transparent.
     std::optional<Colour> background{};
@@ -100,7 +100,7 @@ struct Format {
                                     const WriteOptions& options);
     Holds holds = Holds::Paths;
     StoresHidden hides = StoresHidden::No;
-    QString limits{}; ///< the largest content of a file, worded to follow "at most "; may be empty
+    QString limits{};  ///< the largest content of a file, worded to follow "at most "; may be empty
     QString purpose{}; ///< what its files are for, in two words: "edit again"
     FormatTakes takes{};
     /// Reads with options; null: the format takes none.
@@ -110,14 +110,16 @@ struct Format {
 /// All formats, in menu order; the first one is the native format.
 std::span<const Format> formats();
 const Format* findFormat(QStringView key);
-const Format* formatOfFile(const QString& path); ///< by the file name extension, in any case
+/// By the file name extension, in any case. A compressed SVG drawing (.svgz) is an SVG drawing.
+const Format* formatOfFile(const QString& path);
 
 /// Opens and reads a file in the given format, or else in the format of its extension. The error
 /// sentence names the file. Refuses directories and unknown extensions.
 Result<Imported> readFile(const QString& path, const Format* format = nullptr,
                           const ReadOptions& options = {});
 
-/// Writes a file in the given format, or else in the format of its extension. An existing file is
+/// Writes a file in the given format, or else in the format of its extension; SVG is compressed for
+/// the extension .svgz. An existing file is
 /// replaced only by a complete new file (QSaveFile); devices and pipes are written to directly.
 std::optional<QString> writeFile(const Document& document, const QString& path,
                                  const WriteOptions& options = {}, const Format* format = nullptr);

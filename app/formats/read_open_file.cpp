@@ -32,10 +32,7 @@ std::optional<QString> faultToOpen(const QString& path)
 
 const Format* formatToRead(const QString& path)
 {
-    const QString ending = QFileInfo(path).suffix().toLower();
-    return ending == u"svgz"  ? findFormat(u"svg")
-           : ending == u"dwg" ? findFormat(u"dxf")
-                              : formatOfFile(path);
+    return QFileInfo(path).suffix().toLower() == u"dwg" ? findFormat(u"dxf") : formatOfFile(path);
 }
 
 } // namespace app

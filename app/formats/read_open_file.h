@@ -15,8 +15,8 @@ Result<Imported> readOpenFile(QFileDevice& file, const Format& format,
 /// Why this file cannot be opened, to follow "Cannot open NAME: ": it is a folder, or not there.
 std::optional<QString> faultToOpen(const QString& path);
 
-/// The format for a file name extension, in any case. A compressed SVG drawing (.svgz) counts as
-/// SVG, and a DWG drawing as DXF: their readers say how to convert them.
+/// The format for a file name extension, in any case. A DWG drawing counts as DXF, whose reader says
+/// how to convert it.
 const Format* formatToRead(const QString& path);
 
 } // namespace app

@@ -82,6 +82,7 @@ QString Questions::fileToOpen(const QString& folder)
             all << QStringLiteral("*.") + ending(format);
             filters << filter(format);
         }
+    all << QStringLiteral("*.svgz");
     filters.prepend(Text::tr("All drawings (%1)").arg(all.join(u' ')));
     return QFileDialog::getOpenFileName(&window_, Text::tr("Open"), folder,
                                         filters.join(QStringLiteral(";;")));

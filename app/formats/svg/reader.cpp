@@ -3,6 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/document/contents.h"
+#include "app/formats/gzip.h"
 #include "app/formats/painted.h"
 #include "app/formats/svg/guide_text.h"
 #include "app/formats/svg/limits.h"
@@ -97,17 +98,34 @@ Tree readTree(QIODevice& in, Report& report)
     return Tree::read(buffer, report);
 }
 
+Tree readZippedTree(QIODevice& in, Report& report)
+{
+    std::optional<QByteArray> data;
+    if (in.isSequential()) {
+        QByteArray pipe = wholePipe(in);
+        QBuffer buffer(&pipe);
+        buffer.open(QIODevice::ReadOnly);
+        data = unzipped(buffer, mostBytes);
+    } else {
+        data = unzipped(in, mostBytes);
+    }
+    if (!data)
+        throw Refused{Text::tr("it is compressed (.svgz) and damaged, incomplete or larger than "
+                               "%1 bytes.")
+                          .arg(mostBytes),
+                      Refused::wholeFile};
+    QBuffer buffer(&*data);
+    buffer.open(QIODevice::ReadOnly);
+    return Tree::read(buffer, report);
+}
+
 } // namespace
 
 Result<Imported> read(QIODevice& in)
 {
-    if (in.peek(2) == "\x1f\x8b")
-        return Result<Imported>::failure(
-            Text::tr("it is compressed (.svgz). Unpack it first, for example with gunzip < "
-                     "drawing.svgz > drawing.svg, and open the .svg file."));
     try {
         Report report;
-        const Tree tree = readTree(in, report);
+        const Tree tree = isZipped(in) ? readZippedTree(in, report) : readTree(in, report);
         return Result<Imported>::of(import(tree, report));
     } catch (const Refused& refused) {
         return Result<Imported>::failure(

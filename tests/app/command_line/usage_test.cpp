@@ -308,9 +308,9 @@ private slots:
         row("folder", "$clearcut clip . -o x.svg",
             "Cannot open .: it is a folder. Name a file in it.");
         row("compressed", "printf '\\x1f\\x8b\\x08' > a.svgz; $clearcut info a.svgz",
-            "Cannot open a.svgz: it is compressed (.svgz). Unpack it");
+            "Cannot open a.svgz: it is compressed (.svgz) and damaged");
         row("compressed, clip", "printf '\\x1f\\x8b\\x08' > a.svgz; $clearcut clip a.svgz -o x.svg",
-            "Cannot open a.svgz: it is compressed (.svgz). Unpack it");
+            "Cannot open a.svgz: it is compressed (.svgz) and damaged");
         row("folder out", "mkdir -p f.svg; $clearcut clip a.csv -o f.svg", "Cannot write f.svg: ");
         row("no such folder", "$clearcut clip a.csv -o no/x.svg",
             "Cannot write no/x.svg: No such file or directory.");

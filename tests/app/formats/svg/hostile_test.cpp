@@ -69,7 +69,7 @@ private slots:
         row("zeros", QByteArray(100'000, '\0'), "it is not an SVG drawing (");
         row("html", "<html><body/></html>",
             "it is not an SVG drawing; its first element is <html>.");
-        row("compressed", QByteArray("\x1f\x8b\x08\0", 4), "it is compressed (.svgz).");
+        row("compressed", QByteArray("\x1f\x8b\x08\0", 4), "it is compressed (.svgz) and damaged");
         row("truncated", "<svg xmlns='http://www.w3.org/2000/svg'>\n<g>\n<path d='M0 0",
             "line 3 is incomplete: the file ends too early.");
         row("truncated after an element", "<svg xmlns='http://www.w3.org/2000/svg'>\n<g/>\n",
