@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/colour.h"
 
+#include "app/formats/svg/colour_spaces.h"
 #include "app/formats/svg/length.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
@@ -48,6 +49,15 @@ struct Parts {
     std::array<bool, 4> percent{};
 };
 
+// A word such as "none", which counts as 0.
+bool takeNone(Scanner& in)
+{
+    const bool none = equalsIgnoringCase(in.rest().substr(0, 4), "none");
+    if (none)
+        in.word();
+    return none;
+}
+
 std::optional<Parts> parseParts(Scanner& in)
 {
     Parts parts;
@@ -55,7 +65,8 @@ std::optional<Parts> parseParts(Scanner& in)
     for (in.skipBlanks(); !in.take(')'); in.skipSeparator()) {
         if (in.take('/'))
             in.skipBlanks();
-        const auto number = in.number();
+        const bool none = takeNone(in);
+        const auto number = none ? std::optional(0.0) : in.number();
         if (!number || count == 4)
             return std::nullopt;
         parts.value[count] = *number;
@@ -104,18 +115,82 @@ Colour fromHwb(const Parts& p)
     return {part(hue.red), part(hue.green), part(hue.blue)};
 }
 
+// A part in percent of `whole`, or as it is.
+double partOf(const Parts& p, std::size_t i, double whole)
+{
+    return p.percent[i] ? p.value[i] * whole / 100 : p.value[i];
+}
+
+Colour fromFractions(const SrgbParts& parts)
+{
+    return {byte(parts[0]), byte(parts[1]), byte(parts[2])};
+}
+Colour fromLab(const Parts& p)
+{
+    return fromFractions(srgbOfLab({partOf(p, 0, 100), partOf(p, 1, 125), partOf(p, 2, 125)}));
+}
+Colour fromLch(const Parts& p)
+{
+    const double chroma = partOf(p, 1, 150);
+    return fromFractions(srgbOfLab(fromPolar({partOf(p, 0, 100), chroma, p.value[2]})));
+}
+Colour fromOklab(const Parts& p)
+{
+    return fromFractions(srgbOfOklab({partOf(p, 0, 1), partOf(p, 1, 0.4), partOf(p, 2, 0.4)}));
+}
+Colour fromOklch(const Parts& p)
+{
+    return fromFractions(srgbOfOklab(fromPolar({partOf(p, 0, 1), partOf(p, 1, 0.4), p.value[2]})));
+}
+
+// "color(display-p3 1 0.5 0 / 50%)".
+std::optional<Colour> fromColourSpace(Scanner& in)
+{
+    in.skipBlanks();
+    const auto space = in.rest().substr(0, in.rest().find_first_of(blanks));
+    Scanner rest(in.rest().substr(space.size()));
+    const auto parts = parseParts(rest);
+    if (!parts)
+        return std::nullopt;
+    const auto srgb =
+        srgbOfSpace(space, {partOf(*parts, 0, 1), partOf(*parts, 1, 1), partOf(*parts, 2, 1)});
+    if (!srgb)
+        return std::nullopt;
+    Colour colour = fromFractions(*srgb);
+    colour.alpha = byte(partOf(*parts, 3, 1));
+    return colour;
+}
+
+// "light-dark(white, black)": the first, as pictures are light.
+std::optional<Colour> fromLight(Scanner& in)
+{
+    std::string_view rest = in.rest();
+    const auto first = takeWord(rest, ",");
+    return rest.ends_with(')') ? parseColour(first) : std::nullopt;
+}
+
 struct ColourFunction {
     std::string_view name;
     Colour (*colour)(const Parts&);
 };
 constexpr std::array colourFunctions{
-    ColourFunction{"rgb", fromRgb}, ColourFunction{"rgba", fromRgb}, ColourFunction{"hsl", fromHsl},
-    ColourFunction{"hsla", fromHsl}, ColourFunction{"hwb", fromHwb}};
+    ColourFunction{"rgb", fromRgb},    ColourFunction{"rgba", fromRgb},
+    ColourFunction{"hsl", fromHsl},    ColourFunction{"hsla", fromHsl},
+    ColourFunction{"hwb", fromHwb},    ColourFunction{"lab", fromLab},
+    ColourFunction{"lch", fromLch},    ColourFunction{"oklab", fromOklab},
+    ColourFunction{"oklch", fromOklch}};
 
 std::optional<Colour> fromFunction(std::string_view text)
 try {
     Scanner in(text);
     const auto name = in.word();
+    if (equalsIgnoringCase(name, "color") && in.take('('))
+        return fromColourSpace(in);
+    if (equalsIgnoringCase(name, "light") && in.rest().substr(0, 6).ends_with('(')
+        && equalsIgnoringCase(in.rest().substr(0, 5), "-dark")) {
+        Scanner inside(in.rest().substr(6));
+        return fromLight(inside);
+    }
     const auto function = std::ranges::find_if(colourFunctions, [&](const ColourFunction& each) {
         return equalsIgnoringCase(each.name, name);
     });

@@ -9,8 +9,9 @@
 namespace app::svg {
 
 /// Parses all notations for colours in SVG and CSS: names, transparent, #rgb #rgba #rrggbb
-/// #rrggbbaa, and rgb() rgba() hsl() hsla() hwb() with numbers or percentages and commas, blanks or
-/// a slash. Empty for any other text, and for currentColor, which is not a colour yet.
+/// #rrggbbaa, and rgb() rgba() hsl() hsla() hwb() lab() lch() oklab() oklch() color() with numbers
+/// or percentages and commas, blanks or a slash, and light-dark(), of which the first counts. Empty
+/// for any other text, and for currentColor, which is not a colour yet.
 std::optional<Colour> parseColour(std::string_view text);
 
 /// Parses "0.5" or "50%"; the result is between 0 and 1.

@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/css.h"
 
-#include "app/base/text.h"
-#include "app/formats/svg/limits.h"
-#include "app/formats/svg/refused.h"
+#include "app/formats/svg/data_address.h"
+#include "app/formats/svg/media.h"
 #include "app/formats/svg/report.h"
 #include "app/formats/svg/scanner.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace app::svg {
 namespace {
-
-// The end of the block that begins at text[open] == '{': one past its '}'.
-std::size_t endOfBlock(std::string_view text, std::size_t open)
-{
-    int depth = 0;
-    for (std::size_t i = open; i < text.size(); ++i) {
-        depth += text[i] == '{';
-        depth -= text[i] == '}';
-        if (depth == 0)
-            return i + 1;
-    }
-    return text.size();
-}
 
 // The position of a semicolon outside quotes and brackets ("url(data:image/png;base64,...)"), or
 // the end of the text.
@@ -62,6 +49,28 @@ std::size_t endOfLiteral(std::string_view text, std::size_t i)
         || text.find_first_not_of(blanks, open) == text.find_first_of("\"'", open))
         return i + 1;
     return std::min(text.find(')', open), text.size() - 1) + 1;
+}
+
+// The position of the first of these characters outside literals, or the end of the text.
+std::size_t findOutside(std::string_view text, std::string_view characters)
+{
+    std::size_t i = 0;
+    while (i < text.size() && characters.find(text[i]) == characters.npos)
+        i = endOfLiteral(text, i);
+    return std::min(i, text.size());
+}
+
+// The end of the block that begins at text[open] == '{': one past its '}'.
+std::size_t endOfBlock(std::string_view text, std::size_t open)
+{
+    int depth = 0;
+    for (std::size_t i = open; i < text.size(); i = endOfLiteral(text, i)) {
+        depth += text[i] == '{';
+        depth -= text[i] == '}';
+        if (depth == 0)
+            return i + 1;
+    }
+    return text.size();
 }
 
 // Whether a comment between these texts separates nothing that would belong together without it.
@@ -132,30 +141,20 @@ constexpr std::array<std::string_view, 9> rulesWithoutEffect{"@charset",
                                                              "@-webkit-keyframes",
                                                              "@page"};
 
+// Rules for parts of a page that a drawing does not have: "a::before".
+bool ofNothingDrawn(std::string_view selector)
+{
+    constexpr std::array<std::string_view, 6> parts{"::before", "::after",     ":before",
+                                                    ":after",   "::selection", "::marker"};
+    return std::ranges::any_of(parts, [&](auto part) { return selector.ends_with(part); });
+}
+
 std::string_view firstWord(std::string_view text)
 {
     return text.substr(0, text.find_first_of(" \t\r\n\f("));
 }
 
 } // namespace
-
-// Whether a list of media includes screens; empty if it has more than names.
-std::optional<bool> appliesToScreens(std::string_view media)
-{
-    bool applies = trimmed(media).empty(), isClear = true;
-    for (bool more = true; more && !trimmed(media).empty();) {
-        const auto comma = media.find(',');
-        auto one = trimmed(media.substr(0, comma));
-        if (equalsIgnoringCase(one.substr(0, 5), "only "))
-            one = trimmed(one.substr(5));
-        const bool screen = equalsIgnoringCase(one, "all") || equalsIgnoringCase(one, "screen");
-        applies = applies || screen;
-        isClear = isClear && (screen || equalsIgnoringCase(one, "print"));
-        more = comma != media.npos;
-        media.remove_prefix(more ? comma + 1 : 0);
-    }
-    return applies || isClear ? std::optional(applies) : std::nullopt;
-}
 
 // Reads the rules of one style element after the other.
 class StyleSheet::Reader {
@@ -173,11 +172,20 @@ public:
         }
         if (!applies.value_or(false))
             return;
-        sheet_.texts_.push_back(withoutComments(text.text, 0));
-        readRules(sheet_.texts_.back(), 0);
+        read(withoutComments(text.text, 0), 0);
     }
 
 private:
+    void read(std::string text, int depth)
+    {
+        sheet_.texts_.push_back(std::move(text));
+        const std::string* const around = std::exchange(text_, &sheet_.texts_.back());
+        const auto counted = std::exchange(counted_, 0);
+        readRules(*text_, depth);
+        text_ = around;
+        counted_ = counted;
+    }
+
     void readRules(std::string_view rest, int depth)
     {
         for (rest = trimmed(rest); !rest.empty(); rest = trimmed(rest)) {
@@ -185,8 +193,8 @@ private:
                 rest.remove_prefix(rest.front() == '<' ? 4 : 3);
                 continue;
             }
-            const auto open = rest.find_first_of("{;");
-            if (open == rest.npos)
+            const auto open = findOutside(rest, "{;");
+            if (open == rest.size())
                 break;
             const auto before = trimmed(rest.substr(0, open));
             if (rest[open] == ';') { // an at-rule without a block: "@import ...;"
@@ -213,6 +221,8 @@ private:
         const auto isName = [&](auto each) { return equalsIgnoringCase(each, name); };
         if (!before.starts_with('@') || std::ranges::any_of(rulesWithoutEffect, isName))
             return;
+        if (isName("@import"))
+            return readImport(before, trimmed(before.substr(name.size())), depth);
         const auto applies =
             isName("@media") ? appliesToScreens(before.substr(name.size())) : std::nullopt;
         if (!applies || depth == deepest)
@@ -221,16 +231,27 @@ private:
             readRules(body, depth + 1);
     }
 
+    // `rest`: "url(data:text/css,...) screen". Other files are not read.
+    void readImport(std::string_view rule, std::string_view rest, int depth)
+    {
+        constexpr int deepest = 10;
+        const auto end = rest.empty() ? 0 : endOfLiteral(rest, 0);
+        const auto data = dataOf(rest.substr(0, end));
+        const auto applies = appliesToScreens(rest.substr(end));
+        if (!data || !applies || depth == deepest)
+            tell(rule);
+        else if (*applies)
+            read(withoutComments(*data, 0), depth + 1);
+    }
+
     void addRules(std::string_view selectors, std::string_view body)
     {
         sheet_.bodies_.push_back(parseDeclarations(body));
-        while (!selectors.empty()) {
-            const auto comma = std::min(selectors.find(','), selectors.size());
-            const auto one = trimmed(selectors.substr(0, comma));
+        for (const std::string_view one : selectorsIn(selectors)) {
             auto selector = parseSelector(one);
-            selectors.remove_prefix(std::min(comma + 1, selectors.size()));
             if (!selector) {
-                tell(one);
+                if (!ofNothingDrawn(one))
+                    tell(one);
                 continue;
             }
             const int specificity = specificityOf(*selector);
@@ -240,7 +261,7 @@ private:
 
     void tell(std::string_view rule)
     {
-        const auto& text = sheet_.texts_.back();
+        const std::string& text = *text_;
         const auto at = std::size_t(rule.data() - text.data());
         line_ += std::count(text.begin() + counted_, text.begin() + std::ptrdiff_t(at), '\n');
         counted_ = std::ptrdiff_t(at);
@@ -250,14 +271,15 @@ private:
 
     StyleSheet& sheet_;
     Report& report_;
-    qint64 line_ = 0;            ///< of the place up to which lines were counted
-    std::ptrdiff_t counted_ = 0; ///< this place in the text
+    const std::string* text_ = nullptr; ///< that is being read
+    qint64 line_ = 0;                   ///< of the place up to which lines were counted
+    std::ptrdiff_t counted_ = 0;        ///< this place in the text
 };
 
-StyleSheet::StyleSheet(const std::vector<StyleText>& texts, Report& report)
+StyleSheet::StyleSheet(const Tree& tree, Report& report) : tree_(tree), siblings_(tree)
 {
     Reader reader(*this, report);
-    for (const StyleText& text : texts)
+    for (const StyleText& text : tree.styleSheets())
         reader.read(text);
     std::ranges::stable_sort(rules_, {}, &Rule::specificity);
     for (std::uint32_t i = 0; i < rules_.size(); ++i)
@@ -275,32 +297,7 @@ void StyleSheet::index(std::uint32_t rule)
         byTag_[last.tag].push_back(rule);
 }
 
-void StyleSheet::countTried(std::size_t count)
-{
-    tried_ += count;
-    if (tried_ > mostDeclarations)
-        throw Refused{Text::tr("its style sheet is too large for so many elements."),
-                      Refused::wholeFile};
-}
-
-bool StyleSheet::matches(const Tree& tree, Node node, const Selector& selector, std::size_t last)
-{
-    countTried(1);
-    if (!svg::matches(tree, node, selector[last]))
-        return false;
-    if (last == 0)
-        return true;
-    const bool child = selector[last].before == '>';
-    for (Node up = tree.parent(node); up != noNode; up = tree.parent(up)) {
-        if (matches(tree, up, selector, last - 1))
-            return true;
-        if (child)
-            return false;
-    }
-    return false;
-}
-
-std::vector<const std::vector<Declaration>*> StyleSheet::matching(const Tree& tree, Node node)
+std::vector<const std::vector<Declaration>*> StyleSheet::matching(Node node)
 {
     std::vector<std::uint32_t> found;
     const auto tryThose = [&](const Index& index, std::string_view key) {
@@ -308,25 +305,25 @@ std::vector<const std::vector<Declaration>*> StyleSheet::matching(const Tree& tr
         if (at == index.end())
             return;
         for (const auto rule : at->second)
-            if (matches(tree, node, rules_[rule].selector, rules_[rule].selector.size() - 1))
+            if (matches(tree_, siblings_, node, rules_[rule].selector, tried_))
                 found.push_back(rule);
     };
     tryThose(byTag_, "");
-    tryThose(byTag_, tree.name(node));
-    auto classes = trimmed(tree.attribute(node, "class"));
+    tryThose(byTag_, tree_.name(node));
+    auto classes = trimmed(tree_.attribute(node, "class"));
     while (!classes.empty()) {
         const auto end = std::min(classes.find_first_of(blanks), classes.size());
         tryThose(byClass_, classes.substr(0, end));
         classes = trimmed(classes.substr(end));
     }
-    if (const auto id = tree.attribute(node, "id"); !id.empty())
+    if (const auto id = tree_.attribute(node, "id"); !id.empty())
         tryThose(byId_, id);
     std::ranges::sort(found); // rules_ is sorted by specificity, then by position
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<const std::vector<Declaration>*> bodies;
     for (const auto rule : found) {
         bodies.push_back(&bodies_[rules_[rule].body]);
-        countTried(bodies.back()->size());
+        countTried(tried_, bodies.back()->size());
     }
     return bodies;
 }

@@ -33,28 +33,28 @@ struct Rule {
     int specificity = 0;
 };
 
-/// The rules of the <style> elements with supported selectors: tags, classes, ids, attributes, `*`,
-/// `:root`, lists of these, descendants and children, also in @media rules for screens. All others
-/// (pseudo-classes, siblings, further at-rules) are reported, unless they cannot change shapes.
+/// The rules of the <style> elements, with those of @media for screens and of @import of data.
+/// Rules whose selectors or conditions are not understood are reported, unless they cannot change
+/// shapes.
 class StyleSheet {
 public:
-    StyleSheet(const std::vector<StyleText>& texts, Report& report);
+    StyleSheet(const Tree& tree, Report& report);
     StyleSheet(const StyleSheet&) = delete;
 
     bool empty() const { return rules_.empty(); }
 
     /// The declarations that apply to an element, from the weakest rule to the strongest. Throws
     /// Refused if the number of tested rules exceeds mostDeclarations.
-    std::vector<const std::vector<Declaration>*> matching(const Tree& tree, Node node);
+    std::vector<const std::vector<Declaration>*> matching(Node node);
 
 private:
     using Index = std::unordered_map<std::string_view, std::vector<std::uint32_t>>;
 
     class Reader;
     void index(std::uint32_t rule);
-    void countTried(std::size_t count); ///< throws Refused beyond mostDeclarations
-    bool matches(const Tree& tree, Node node, const Selector& selector, std::size_t last);
 
+    const Tree& tree_;
+    Siblings siblings_;
     std::deque<std::string> texts_; ///< without comments; all views point into them
     std::vector<std::vector<Declaration>> bodies_;
     std::vector<Rule> rules_;

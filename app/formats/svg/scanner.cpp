@@ -60,13 +60,23 @@ bool isNameCharacter(char c)
            || (static_cast<unsigned char>(c) & 0x80);
 }
 
+std::string_view takeWord(std::string_view& text, std::string_view separators)
+{
+    text.remove_prefix(std::min(text.find_first_not_of(separators), text.size()));
+    int depth = 0;
+    std::size_t end = 0;
+    for (; end < text.size() && (depth > 0 || separators.find(text[end]) == separators.npos); ++end)
+        depth += (text[end] == '(') - (text[end] == ')');
+    const auto word = text.substr(0, end);
+    text.remove_prefix(end);
+    return word;
+}
+
 std::vector<std::string_view> wordsOf(std::string_view text)
 {
     std::vector<std::string_view> words;
-    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
-        words.push_back(text.substr(0, text.find_first_of(blanks)));
-        text.remove_prefix(words.back().size());
-    }
+    for (auto word = takeWord(text, blanks); !word.empty(); word = takeWord(text, blanks))
+        words.push_back(word);
     return words;
 }
 

@@ -14,7 +14,10 @@ std::string_view trimmed(std::string_view text);
 bool equalsIgnoringCase(std::string_view a, std::string_view b);
 bool isNameCharacter(char c); ///< of CSS: a letter, digit, - or _, and all beyond ASCII
 
-/// The parts of a text between blanks.
+/// Takes the next part between separators, of which those in brackets do not count; may be empty.
+std::string_view takeWord(std::string_view& text, std::string_view separators);
+
+/// The parts of a text between blanks; "calc(1px + 2px)" is one.
 std::vector<std::string_view> wordsOf(std::string_view text);
 
 /// Parses the small languages inside attributes (path data, transforms, points) from left to right.
