@@ -4,6 +4,7 @@
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/scanner.h"
 #include "app/formats/svg/tree_drawer.h"
+#include "app/lettering/outline_fonts.h"
 
 #include <algorithm>
 
@@ -156,15 +157,18 @@ bool TreeDrawer::addClipShape(Node node, const Place& base, std::vector<PathShap
     }
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
     const bool shown = place.properties.displayed && place.properties.visible;
-    if (!kind && tree_.name(node) == "text" && shown) {
+    const bool isText = tree_.name(node) == "text";
+    if (isText && shown && outlineFonts().isEmpty()) {
         report_.add(losses::clipPathContent, tree_.name(node));
         return false;
     }
-    report_.add(losses::notInClipPath, kind ? 0 : 1);
-    if (!kind || !shown)
+    report_.add(losses::notInClipPath, !kind && !isText);
+    if (!(kind || isText) || !shown)
         return true;
     if (const auto clip = place.properties.clipPath; !clip.empty())
         addClipPath(clip, {node, place}, place);
+    if (isText)
+        return addCut({Path(letterPaths(node, place)), FillRule::NonZero}, place.clips, shapes);
     const auto paths = placed(outlineOf(*kind, node, place), place.matrix);
     return addCut({Path(paths), place.properties.clipRule}, place.clips, shapes);
 }

@@ -86,10 +86,10 @@ void TreeDrawer::addBounds(Node node, const Place& place, ElementBounds& bounds)
     if (const OutlineKind* kind = findOutlineKind(name)) {
         Outline outline = outlineOf(*kind, node, place);
         if (bounds.ofStrokes && place.properties.stroke.kind != Paint::Kind::None)
-            addStrokes(outline.paths, paints_.style(place.properties, 1, 1));
+            addStrokes(outline.paths, paints_.style(place.properties, 1, {}));
         for (const Subpath& path : placed(std::move(outline), place.matrix))
             include(bounds, path);
-    } else if (name == "g" || name == "a") {
+    } else if (name == "g" || name == "a" || name == "marker") {
         addBoundsOfChildren(node, place, bounds);
     } else if (name == "svg") {
         if (const auto viewport = inViewport(node, place, {}))

@@ -61,7 +61,9 @@ inline constexpr LossKind gradient{QT_TRANSLATE_NOOP("Text", "gradient"),
                                    QT_TRANSLATE_NOOP("Text", "its mean colour is used"),
                                    QT_TRANSLATE_NOOP("Text", "their mean colours are used")};
 inline constexpr LossKind pattern{QT_TRANSLATE_NOOP("Text", "pattern"),
-                                  QT_TRANSLATE_NOOP("Text", "patterns")};
+                                  QT_TRANSLATE_NOOP("Text", "patterns"), false,
+                                  QT_TRANSLATE_NOOP("Text", "its mean colour is used"),
+                                  QT_TRANSLATE_NOOP("Text", "their mean colours are used")};
 inline constexpr LossKind mask{QT_TRANSLATE_NOOP("Text", "mask"),
                                QT_TRANSLATE_NOOP("Text", "masks")};
 inline constexpr LossKind filter{QT_TRANSLATE_NOOP("Text", "filter"),
@@ -72,6 +74,10 @@ inline constexpr LossKind marker{QT_TRANSLATE_NOOP("Text", "arrowhead or other m
                                  QT_TRANSLATE_NOOP("Text", "arrowheads or other markers"), false,
                                  QT_TRANSLATE_NOOP("Text", "its line is kept"),
                                  QT_TRANSLATE_NOOP("Text", "their lines are kept")};
+inline constexpr LossKind drawnMarker{
+    QT_TRANSLATE_NOOP("Text", "arrowhead or other marker became shapes beside its line"),
+    QT_TRANSLATE_NOOP("Text", "arrowheads or other markers became shapes beside their lines"),
+    true};
 inline constexpr LossKind clipPathUnits{
     QT_TRANSLATE_NOOP("Text", "clip path in the box of something with texts or images"),
     QT_TRANSLATE_NOOP("Text", "clip paths in the boxes of something with texts or images")};
@@ -119,8 +125,8 @@ inline constexpr LossKind hiddenStroke{
     QT_TRANSLATE_NOOP("Text", "wide strokes of which clip paths show only a side")};
 inline constexpr LossKind unevenStroke{QT_TRANSLATE_NOOP("Text", "unevenly stretched stroke"),
                                        QT_TRANSLATE_NOOP("Text", "unevenly stretched strokes"),
-                                       false, QT_TRANSLATE_NOOP("Text", "it is made even"),
-                                       QT_TRANSLATE_NOOP("Text", "they are made even")};
+                                       false, QT_TRANSLATE_NOOP("Text", "it has its mean width"),
+                                       QT_TRANSLATE_NOOP("Text", "they have their mean widths")};
 inline constexpr LossKind longDashes{QT_TRANSLATE_NOOP("Text", "dash pattern that is too long"),
                                      QT_TRANSLATE_NOOP("Text", "dash patterns that are too long")};
 inline constexpr LossKind damaged{QT_TRANSLATE_NOOP("Text", "part of a damaged shape"),
@@ -158,10 +164,9 @@ inline constexpr LossKind unknownBox{
 inline constexpr LossKind paintServer{QT_TRANSLATE_NOOP("Text", "paint of the kind %1"),
                                       QT_TRANSLATE_NOOP("Text", "paints of the kind %1")};
 inline constexpr LossKind strokeBelow{
-    QT_TRANSLATE_NOOP("Text", "stroke below the fill of its shape"),
-    QT_TRANSLATE_NOOP("Text", "strokes below the fills of their shapes"), false,
-    QT_TRANSLATE_NOOP("Text", "it is above the fill"),
-    QT_TRANSLATE_NOOP("Text", "they are above the fills")};
+    QT_TRANSLATE_NOOP("Text", "stroke below the fill of its shape became a shape of its own"),
+    QT_TRANSLATE_NOOP("Text", "strokes below the fills of their shapes became shapes of their own"),
+    true};
 inline constexpr LossKind selfUse{
     QT_TRANSLATE_NOOP("Text", "<use> that contains itself"),
     QT_TRANSLATE_NOOP("Text", "<use> elements that contain themselves")};

@@ -140,7 +140,8 @@ bool TreeDrawer::addMaskShape(Node node, const Place& place, MaskShapes& shapes)
         return false;
     if (!place.properties.visible)
         return true;
-    const Style style = paints_.style(place.properties, place.opacity, place.matrix.scale());
+    const Style style = paints_.style(place.properties, place.opacity,
+                                      {place.matrix.scale(), place.matrix.scale()});
     if (!isPlainColour(style.fill, shapes.byAlpha) || !isPlainColour(style.stroke, shapes.byAlpha))
         return false;
     const Path path(placed(outlineOf(*kind, node, place), place.matrix));

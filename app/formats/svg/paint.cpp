@@ -27,8 +27,8 @@ bool isPlain(const GradientStops& stops)
         stops, [&](const GradientStop& stop) { return stop.colour == stops.front().colour; });
 }
 
-// The box of points in the element's coordinates as a matrix from the unit square.
-Matrix boxOf(std::span<const Subpath> paths, const Matrix& toElement)
+// The box of paths in the element's coordinates.
+Box boxOf(std::span<const Subpath> paths, const Matrix& toElement)
 {
     ElementBounds bounds;
     for (const Subpath& path : paths) {
@@ -36,25 +36,30 @@ Matrix boxOf(std::span<const Subpath> paths, const Matrix& toElement)
         transform(own, toElement);
         include(bounds, own);
     }
-    const Point size = bounds.max - bounds.min;
-    return {size.x, 0, 0, size.y, bounds.min.x, bounds.min.y};
+    return {bounds.min, bounds.max - bounds.min};
+}
+
+Matrix fromUnitSquare(const Box& box)
+{
+    return {box.size.x, 0, 0, box.size.y, box.min.x, box.min.y};
 }
 
 } // namespace
 
-Style Paints::style(const Properties& p, double opacity, double scale, const PaintedShape& shape)
+Style Paints::style(const Properties& p, double opacity, const StrokeScale& scale,
+                    const PaintedShape& shape)
 {
     Style style{.stroke = colour(p.stroke, opacity * p.strokeOpacity, p, shape, Part::Stroke),
                 .fill = colour(p.fill, opacity * p.fillOpacity, p, shape, Part::Fill),
-                .width = p.width * scale,
+                .width = p.width * scale.across,
                 .miterLimit = p.miterLimit,
-                .dashOffset = p.dashOffset * scale,
+                .dashOffset = p.dashOffset * scale.along,
                 .dashes = p.dashes,
                 .cap = p.cap,
                 .join = p.join,
                 .fillRule = p.fillRule};
     for (double& dash : style.dashes)
-        dash *= scale;
+        dash *= scale.along;
     return style;
 }
 
@@ -68,6 +73,10 @@ std::optional<Colour> Paints::colour(const Paint& paint, double opacity, const P
         colour = p.colour;
     else if (paint.kind == Paint::Kind::Reference)
         colour = referenced(paint, p, shape, part);
+    else if (paint.kind == Paint::Kind::ContextFill)
+        return this->colour(p.contextFill, opacity, p, shape, part);
+    else if (paint.kind == Paint::Kind::ContextStroke)
+        return this->colour(p.contextStroke, opacity, p, shape, part);
     return colour ? std::optional(faded(*colour, opacity)) : std::nullopt;
 }
 
@@ -77,12 +86,19 @@ std::optional<Colour> Paints::referenced(const Paint& paint, const Properties& p
     const Node node = tree_.findReference(paint.reference);
     if (node != noNode && isGradient(tree_, node))
         return gradientColour(node, p, shape, part);
-    if (node != noNode && tree_.name(node) == "pattern")
+    if (node != noNode && tree_.name(node) == "pattern") {
         report_.add(losses::pattern);
-    else if (node != noNode)
+        const auto toElement = inverse(shape.matrix);
+        const auto mean = toElement
+                              ? patternColour_(node, boxOf(shape.paths, *toElement), shape.lengths)
+                              : std::nullopt;
+        if (mean)
+            return mean;
+    } else if (node != noNode) {
         report_.add(losses::paintServer, tree_.name(node));
-    else if (isElsewhere(paint.reference))
+    } else if (isElsewhere(paint.reference)) {
         report_.add(losses::otherFile);
+    }
     return paint.fallback == Paint::Kind::Solid     ? std::optional(paint.colour)
            : paint.fallback == Paint::Kind::Current ? std::optional(p.colour)
                                                     : std::nullopt;
@@ -102,7 +118,8 @@ std::optional<Colour> Paints::gradientColour(Node node, const Properties& p,
     report_.add(losses::gradient);
     const GradientShape lies = gradientShape(tree_, node, shape.lengths);
     const auto toElement = inverse(shape.matrix);
-    const Matrix box = lies.inBox && toElement ? boxOf(shape.paths, *toElement) : Matrix{};
+    const Matrix box =
+        lies.inBox && toElement ? fromUnitSquare(boxOf(shape.paths, *toElement)) : Matrix{};
     const auto toGradient = inverse(shape.matrix * box * lies.transform);
     if (!toGradient)
         return meanOfStops(stops);

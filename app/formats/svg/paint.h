@@ -3,8 +3,10 @@
 
 #include "app/formats/svg/gradient.h"
 #include "app/formats/svg/report.h"
+#include "app/formats/svg/stroke_scale.h"
 #include "app/formats/svg/style.h"
 
+#include <functional>
 #include <span>
 #include <unordered_map>
 
@@ -18,17 +20,21 @@ struct PaintedShape {
 };
 
 /// Resolves fills and strokes to plain colours: a gradient is replaced by its mean colour on the
-/// shape and reported; a pattern is removed.
+/// shape, and a pattern by that of its tile; both are reported.
 class Paints {
 public:
-    Paints(const Tree& tree, Styles& styles, Report& report)
-        : tree_(tree), styles_(styles), report_(report)
+    /// The mean colour of a pattern for a shape with this box, in the shape's coordinates and
+    /// units.
+    using PatternColour =
+        std::function<std::optional<Colour>(Node, const Box& box, const Lengths& lengths)>;
+    Paints(const Tree& tree, Styles& styles, Report& report, PatternColour patternColour)
+        : tree_(tree), styles_(styles), report_(report), patternColour_(std::move(patternColour))
     {
     }
 
-    /// The style, as far as it does not depend on a transform: only widths and dashes are
-    /// multiplied by `scale`.
-    Style style(const Properties& properties, double opacity, double scale,
+    /// The style, as far as it does not depend on a transform: widths and dashes are multiplied by
+    /// `scale`.
+    Style style(const Properties& properties, double opacity, const StrokeScale& scale,
                 const PaintedShape& shape = {});
 
 private:
@@ -45,6 +51,7 @@ private:
     const Tree& tree_;
     Styles& styles_;
     Report& report_;
+    PatternColour patternColour_;
     std::unordered_map<Node, GradientStops> stops_;
     std::size_t shapes_ = 0; ///< painted with gradients so far
 };

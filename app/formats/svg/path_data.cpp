@@ -172,7 +172,10 @@ private:
         if (!to)
             return false;
         begin();
+        const auto first = path_.segments.size();
         appendArc(path_.segments, {at_, *to, {v[0], v[1]}, v[2], *large, *positive});
+        for (auto i = first; i + 1 < path_.segments.size(); ++i)
+            outline_.joints.push_back({outline_.paths.size(), i});
         at_ = *to;
         return true;
     }

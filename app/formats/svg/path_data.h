@@ -12,6 +12,11 @@ struct Outline {
     std::vector<Subpath> paths;
     bool damaged = false;  ///< the text has an error; `paths` is what precedes the error
     bool sizeless = false; ///< a rectangle, circle or ellipse of size 0 or less, which has no path
+    /// A segment that ends inside an arc: arcs are made of several curves.
+    struct Joint {
+        std::size_t path, segment;
+    };
+    std::vector<Joint> joints{};
 };
 
 /// Parses the complete grammar of path data. Arcs and quadratic curves become cubic curves. A

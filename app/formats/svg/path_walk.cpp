@@ -10,9 +10,7 @@
 #include <cmath>
 
 namespace app::svg {
-namespace {
-
-double toleranceOf(std::span<const Subpath> paths)
+double flatteningTolerance(std::span<const Subpath> paths)
 {
     constexpr double share = 1e-4, least = 1e-300;
     ElementBounds bounds;
@@ -22,11 +20,9 @@ double toleranceOf(std::span<const Subpath> paths)
     return std::max({size.x, size.y, least}) * share;
 }
 
-} // namespace
-
 PathWalk::PathWalk(std::span<const Subpath> paths)
 {
-    const double tolerance = toleranceOf(paths);
+    const double tolerance = flatteningTolerance(paths);
     double end = 0;
     for (const Subpath& path : paths) {
         std::vector<Chord> chords;

@@ -49,8 +49,12 @@ Paint withFallback(Value text)
 
 std::optional<Paint> parsePaint(Value text)
 {
-    if (is(text, "none") || is(text, "context-fill") || is(text, "context-stroke"))
+    if (is(text, "none"))
         return Paint{};
+    if (is(text, "context-fill"))
+        return Paint{Paint::Kind::ContextFill};
+    if (is(text, "context-stroke"))
+        return Paint{Paint::Kind::ContextStroke};
     if (is(text, "currentcolor"))
         return Paint{Paint::Kind::Current};
     if (is(text.substr(0, 4), "url("))
@@ -131,16 +135,15 @@ bool setDashes(P& p, Value text, const Given& given)
 {
     std::vector<double> dashes;
     double sum = 0;
-    for (text = is(text, "none") ? Value() : text; !text.empty() && dashes.size() <= mostDashes;) {
-        const auto end = std::min(text.find_first_of(" \t\r\n,"), text.size());
-        const auto dash = given.lengths.other(text.substr(0, end));
+    constexpr Value separators = " \t\r\n\f,";
+    text = is(text, "none") ? Value() : text;
+    for (auto word = takeWord(text, separators); !word.empty() && dashes.size() <= mostDashes;
+         word = takeWord(text, separators)) {
+        const auto dash = given.lengths.other(word);
         if (!dash || *dash < 0)
             return false;
         dashes.push_back(*dash);
         sum += *dash;
-        text = trimmed(text.substr(end));
-        text.remove_prefix(text.starts_with(','));
-        text = trimmed(text);
     }
     p.longDashes = dashes.size() > mostDashes;
     p.dashes = sum > 0 && !p.longDashes ? std::move(dashes) : std::vector<double>();

@@ -48,7 +48,7 @@ namespace {
 constexpr std::string_view styleName = "style", fontName = "font";
 
 // Attributes that change the picture, and are neither properties nor read elsewhere.
-constexpr std::array<std::string_view, 3> lostAttributes{"onload", "refX", "refY"};
+constexpr std::array<std::string_view, 1> lostAttributes{"onload"};
 
 bool isFontSize(const Property& property)
 {
@@ -70,7 +70,7 @@ struct Styles::Cascade {
 };
 
 Styles::Styles(const Tree& tree, Report& report)
-    : tree_(tree), report_(report), sheet_(tree.styleSheets(), report)
+    : tree_(tree), report_(report), sheet_(tree, report)
 {
     for (std::uint32_t name = 0; name < tree.nameCount(); ++name) {
         const Property* const property = findProperty(tree.nameOf(name));
@@ -87,7 +87,7 @@ Properties Styles::of(Node node, const Properties& parent, const Lengths& length
     cascade.lengths.fontSize = parent.fontSize;
     const auto own = parseDeclarations(styleAttribute(node));
     if (!sheet_.empty())
-        for (const auto* rule : sheet_.matching(tree_, node))
+        for (const auto* rule : sheet_.matching(node))
             cascade.declarations.emplace_back(*rule);
     if (!own.empty())
         cascade.declarations.emplace_back(own);

@@ -13,7 +13,14 @@ namespace app::svg {
 
 /// The value of a fill or stroke before references are resolved.
 struct Paint {
-    enum class Kind : std::uint8_t { None, Solid, Current, Reference };
+    enum class Kind : std::uint8_t {
+        None,
+        Solid,
+        Current,
+        Reference,
+        ContextFill, ///< that of the element with the marker, or of the <use>
+        ContextStroke
+    };
     Kind kind = Kind::None;
     Colour colour{};
     Kind fallback = Kind::None;   ///< of a reference that is not found; Solid: `colour`
@@ -53,6 +60,7 @@ struct Properties {
     double fontSize = 16;
     TextStyle text{};
     std::string_view markerStart{}, markerMid{}, markerEnd{};
+    Paint contextFill{}, contextStroke{}; ///< what context-fill and context-stroke mean
     std::shared_ptr<const Variables> variables{};
 
     // the element's own

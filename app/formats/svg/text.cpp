@@ -122,10 +122,19 @@ void TreeDrawer::drawLetters(const LaidLetters& letters, const Texts& texts, Par
 
 void TreeDrawer::addBoundsOfText(Node node, const Place& place, ElementBounds& bounds)
 {
+    for (const Subpath& path : letterPaths(node, place))
+        include(bounds, path);
+}
+
+// The letters of a text in the coordinates of `place.matrix`, whatever their styles.
+std::vector<Subpath> TreeDrawer::letterPaths(Node node, const Place& place)
+{
     Texts texts;
-    for (const LaidLetters& letters : textParts(node, place, texts).letters)
-        for (const Subpath& path : placed({letters.paths}, place.matrix))
-            include(bounds, path);
+    std::vector<Subpath> paths;
+    for (LaidLetters& letters : textParts(node, place, texts).letters)
+        for (Subpath& path : placed({std::move(letters.paths)}, place.matrix))
+            paths.push_back(std::move(path));
+    return paths;
 }
 
 // The letters of a text, in its own coordinates.

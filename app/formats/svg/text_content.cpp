@@ -60,12 +60,10 @@ void TextContent::place(const Tree& tree, Node node, qsizetype first, const Leng
         for (qsizetype i = first; i < text_.size(); ++i) {
             if (text_[i].isLowSurrogate())
                 continue;
-            rest.remove_prefix(std::min(rest.find_first_not_of(separators), rest.size()));
-            if (rest.empty() && !(list.repeats && !std::isnan(last)))
+            const auto one = takeWord(rest, separators);
+            if (one.empty() && !(list.repeats && !std::isnan(last)))
                 break;
-            if (!rest.empty()) {
-                const auto one = rest.substr(0, rest.find_first_of(separators));
-                rest.remove_prefix(one.size());
+            if (!one.empty()) {
                 const auto number = lengths.parse(one, lengths.viewport[list.axis]);
                 if (!number) {
                     report.add(losses::value, std::string(list.name) + ": " + std::string(one));

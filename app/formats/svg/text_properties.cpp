@@ -11,14 +11,14 @@
 namespace app::svg {
 namespace {
 
-using T = TextStyle;
+using Letters = TextStyle;
 using Word = std::string_view;
 
-bool isWord(Word value, Word word) { return equalsIgnoringCase(value, word); }
+bool meansWord(Word value, Word word) { return equalsIgnoringCase(value, word); }
 
 bool isOneOf(Word value, Word words)
 {
-    return std::ranges::any_of(wordsOf(words), [&](Word word) { return isWord(value, word); });
+    return std::ranges::any_of(wordsOf(words), [&](Word word) { return meansWord(value, word); });
 }
 
 struct SizeWord {
@@ -33,12 +33,12 @@ constexpr std::array sizeWords{SizeWord{"xx-small", 9.6}, SizeWord{"x-small", 12
 std::optional<double> sizeOf(Word text, double around, const Lengths& lengths)
 {
     constexpr double step = 1.2;
-    if (isWord(text, "larger"))
+    if (meansWord(text, "larger"))
         return around * step;
-    if (isWord(text, "smaller"))
+    if (meansWord(text, "smaller"))
         return around / step;
     const auto word = std::ranges::find_if(
-        sizeWords, [&](const SizeWord& each) { return isWord(text, each.word); });
+        sizeWords, [&](const SizeWord& each) { return meansWord(text, each.word); });
     if (word != sizeWords.end())
         return word->pixels;
     const auto size = lengths.parse(text, around);
@@ -63,24 +63,24 @@ bool setStyle(Properties& p, Word text, const Given&)
 {
     const Word first = text.substr(0, text.find_first_of(blanks));
     const bool slanted = isOneOf(first, "italic oblique");
-    if (slanted || isWord(text, "normal"))
+    if (slanted || meansWord(text, "normal"))
         p.text.italic = slanted;
-    return slanted || isWord(text, "normal");
+    return slanted || meansWord(text, "normal");
 }
 
 // CSS Fonts 4, section 2.2.1.
 int bolder(int weight) { return weight < 350 ? 400 : weight < 550 ? 700 : std::max(weight, 900); }
 int lighter(int weight) { return weight < 550 ? std::min(weight, 100) : weight < 750 ? 400 : 700; }
 
-std::optional<int> weightOf(Word text, int around)
+std::optional<int> fontWeightOf(Word text, int around)
 {
-    if (isWord(text, "normal"))
+    if (meansWord(text, "normal"))
         return 400;
-    if (isWord(text, "bold"))
+    if (meansWord(text, "bold"))
         return 700;
-    if (isWord(text, "bolder"))
+    if (meansWord(text, "bolder"))
         return bolder(around);
-    if (isWord(text, "lighter"))
+    if (meansWord(text, "lighter"))
         return lighter(around);
     const auto number = lacksUnit(text) ? Lengths().parse(text, 0) : std::nullopt;
     return number && *number >= 1 && *number <= 1000 ? std::optional(int(*number)) : std::nullopt;
@@ -88,7 +88,7 @@ std::optional<int> weightOf(Word text, int around)
 
 bool setWeight(Properties& p, Word text, const Given&)
 {
-    const auto weight = weightOf(text, p.text.weight);
+    const auto weight = fontWeightOf(text, p.text.weight);
     if (weight)
         p.text.weight = *weight;
     return weight.has_value();
@@ -96,7 +96,7 @@ bool setWeight(Properties& p, Word text, const Given&)
 
 bool setVariant(Properties& p, Word text, const Given& given)
 {
-    p.text.smallCapitals = isWord(text, "small-caps");
+    p.text.smallCapitals = meansWord(text, "small-caps");
     if (!isOneOf(text, "normal none small-caps"))
         p.text.notEvaluated = given.property;
     return true;
@@ -105,7 +105,7 @@ bool setVariant(Properties& p, Word text, const Given& given)
 template <auto spacing>
 bool setSpacing(Properties& p, Word text, const Given& given)
 {
-    const auto length = isWord(text, "normal") ? 0 : given.lengths.parse(text, p.fontSize);
+    const auto length = meansWord(text, "normal") ? 0 : given.lengths.parse(text, p.fontSize);
     if (length)
         p.text.*spacing = *length;
     return length.has_value();
@@ -116,7 +116,7 @@ bool setAnchor(Properties& p, Word text, const Given&)
     using Anchor = TextStyle::Anchor;
     for (const auto& [word, anchor] :
          {std::pair{"start", Anchor::Start}, {"middle", Anchor::Middle}, {"end", Anchor::End}})
-        if (isWord(text, word)) {
+        if (meansWord(text, word)) {
             p.text.anchor = anchor;
             return true;
         }
@@ -127,7 +127,7 @@ bool setDirection(Properties& p, Word text, const Given&)
 {
     if (!isOneOf(text, "ltr rtl"))
         return false;
-    p.text.rightToLeft = isWord(text, "rtl");
+    p.text.rightToLeft = meansWord(text, "rtl");
     return true;
 }
 
@@ -162,10 +162,10 @@ bool setDominantBaseline(Properties& p, Word text, const Given&)
 bool setBaselineShift(Properties& p, Word text, const Given& given)
 {
     constexpr double down = -0.2, up = 0.4; // of the font's size
-    const auto shift = isWord(text, "baseline") ? 0
-                       : isWord(text, "sub")    ? down * p.fontSize
-                       : isWord(text, "super")  ? up * p.fontSize
-                                                : given.lengths.parse(text, p.fontSize);
+    const auto shift = meansWord(text, "baseline") ? 0
+                       : meansWord(text, "sub")    ? down * p.fontSize
+                       : meansWord(text, "super")  ? up * p.fontSize
+                                                   : given.lengths.parse(text, p.fontSize);
     if (shift)
         p.baselineShift = *shift;
     return shift.has_value();
@@ -175,12 +175,12 @@ bool setDecoration(Properties& p, Word text, const Given& given)
 {
     p.text.lines = 0;
     for (const Word word : wordsOf(text)) {
-        if (isWord(word, "underline"))
-            p.text.lines |= T::underline;
-        else if (isWord(word, "overline"))
-            p.text.lines |= T::overline;
-        else if (isWord(word, "line-through"))
-            p.text.lines |= T::lineThrough;
+        if (meansWord(word, "underline"))
+            p.text.lines |= Letters::underline;
+        else if (meansWord(word, "overline"))
+            p.text.lines |= Letters::overline;
+        else if (meansWord(word, "line-through"))
+            p.text.lines |= Letters::lineThrough;
         else if (!isOneOf(word, "none solid auto currentcolor"))
             p.text.notEvaluated = given.property;
     }
@@ -189,9 +189,9 @@ bool setDecoration(Properties& p, Word text, const Given& given)
 
 bool setCase(Properties& p, Word text, const Given& given)
 {
-    p.text.letterCase = isWord(text, "uppercase")   ? T::Case::Upper
-                        : isWord(text, "lowercase") ? T::Case::Lower
-                                                    : T::Case::AsWritten;
+    p.text.letterCase = meansWord(text, "uppercase")   ? Letters::Case::Upper
+                        : meansWord(text, "lowercase") ? Letters::Case::Lower
+                                                       : Letters::Case::AsWritten;
     if (!isOneOf(text, "none uppercase lowercase"))
         p.text.notEvaluated = given.property;
     return true;
@@ -210,7 +210,7 @@ bool setFont(Properties& p, Word text, const Given& given)
         const Word word = text.substr(0, end);
         if (const auto size =
                 sizeOf(word.substr(0, word.find('/')), given.lengths.fontSize, given.lengths);
-            size && !weightOf(word, 400)) {
+            size && !fontWeightOf(word, 400)) {
             made.fontSize = *size;
             text = trimmed(text.substr(end));
             if (text.starts_with('/')) // "12px / 1.5 Arial"
@@ -223,7 +223,7 @@ bool setFont(Properties& p, Word text, const Given& given)
         if (!setStyle(made, word, given) && !setWeight(made, word, given)
             && !isOneOf(word, "small-caps condensed semi-condensed expanded"))
             return false;
-        made.text.smallCapitals = made.text.smallCapitals || isWord(word, "small-caps");
+        made.text.smallCapitals = made.text.smallCapitals || meansWord(word, "small-caps");
         text = text.substr(end);
     }
     return false;
@@ -293,19 +293,19 @@ const std::array evaluated{
     Property{"font", setFont, copyFont, true, Property::Attribute::Other},
     Property{"font-size", setFontSize,
              [](Properties& to, const Properties& from) { to.fontSize = from.fontSize; }, true},
-    letters<&T::families>("font-family", setFamily),
-    letters<&T::italic>("font-style", setStyle),
-    letters<&T::weight>("font-weight", setWeight),
-    letters<&T::smallCapitals>("font-variant", setVariant),
-    letters<&T::letterSpacing>("letter-spacing", setSpacing<&T::letterSpacing>),
-    letters<&T::wordSpacing>("word-spacing", setSpacing<&T::wordSpacing>),
-    letters<&T::anchor>("text-anchor", setAnchor),
-    letters<&T::rightToLeft>("direction", setDirection),
-    letters<&T::keepsBlanks>("white-space", setWhiteSpace),
-    letters<&T::baseline>("dominant-baseline", setDominantBaseline),
-    letters<&T::lines>("text-decoration", setDecoration),
-    letters<&T::lines>("text-decoration-line", setDecoration),
-    letters<&T::letterCase>("text-transform", setCase),
+    letters<&Letters::families>("font-family", setFamily),
+    letters<&Letters::italic>("font-style", setStyle),
+    letters<&Letters::weight>("font-weight", setWeight),
+    letters<&Letters::smallCapitals>("font-variant", setVariant),
+    letters<&Letters::letterSpacing>("letter-spacing", setSpacing<&Letters::letterSpacing>),
+    letters<&Letters::wordSpacing>("word-spacing", setSpacing<&Letters::wordSpacing>),
+    letters<&Letters::anchor>("text-anchor", setAnchor),
+    letters<&Letters::rightToLeft>("direction", setDirection),
+    letters<&Letters::keepsBlanks>("white-space", setWhiteSpace),
+    letters<&Letters::baseline>("dominant-baseline", setDominantBaseline),
+    letters<&Letters::lines>("text-decoration", setDecoration),
+    letters<&Letters::lines>("text-decoration-line", setDecoration),
+    letters<&Letters::letterCase>("text-transform", setCase),
     Property{"alignment-baseline", setBaseline<&Properties::alignment>,
              [](Properties& to, const Properties& from) { to.alignment = from.alignment; }},
     Property{"baseline-shift", setBaselineShift,
@@ -319,7 +319,7 @@ std::span<const Property> textProperties()
     static const auto all = [] {
         std::vector<Property> rows(evaluated.begin(), evaluated.end());
         for (const NotEvaluated& row : notEvaluated)
-            rows.push_back({row.name, setNotEvaluated, copyText<&T::notEvaluated>, true});
+            rows.push_back({row.name, setNotEvaluated, copyText<&Letters::notEvaluated>, true});
         return rows;
     }();
     return all;

@@ -98,8 +98,13 @@ const TreeDrawer::Row* TreeDrawer::find(std::string_view element)
 bool TreeDrawer::isDrawn(std::string_view element) { return find(element) || findForeign(element); }
 
 TreeDrawer::TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page)
-    : tree_(tree), report_(report), styles_(styles), paints_(tree, styles, report), page_(page),
-      content_(page, usualTolerance(page), tree.textSize(), report), idIsTaken_(tree.size())
+    : tree_(tree), report_(report), styles_(styles),
+      paints_(tree, styles, report,
+              [this](Node pattern, const Box& box, const Lengths& lengths) {
+                  return patternColour(pattern, box, lengths);
+              }),
+      page_(page), content_(page, usualTolerance(page), tree.textSize(), report),
+      idIsTaken_(tree.size())
 {
     for (std::uint32_t name = 0; name < tree.nameCount(); ++name)
         hasConditions_ = hasConditions_ || tree.nameOf(name) == extensionAttribute
@@ -113,7 +118,9 @@ Document TreeDrawer::drawAll(const Matrix& rootMatrix, const Point& viewport)
     Place place;
     place.matrix = rootMatrix;
     place.lengths.viewport = viewport;
+    place.lengths.screen = {toUserUnits(page_.width, pixel), toUserUnits(page_.height, pixel)};
     place = inside(0, place);
+    place.lengths.rootFontSize = place.properties.fontSize;
     drawChildren(0, place);
     nameOtherClipPaths(place);
     report_.turnTo(0);
@@ -299,6 +306,8 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
     Outline outline = outlineOf(*kind, node, place);
     scaleDashes(node, outline, properties);
+    const bool marked = kind->takesMarkers && hasMarkers(properties);
+    const auto vertices = marked ? markerVertices(outline) : std::vector<MarkerVertex>();
     Drawn drawn{placed(std::move(outline), place.matrix)};
     if (!drawn.paths.empty() && place.matrix.determinant() == 0) {
         report_.add(losses::sizeless);
@@ -308,12 +317,25 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
         return;
     reportEffects(properties, false);
     if (kind->takesMarkers)
-        report_.add(losses::marker, !properties.markerStart.empty() + !properties.markerMid.empty()
-                                        + !properties.markerEnd.empty());
+        reportMissingMarkers(properties);
     const Node named = place.repeated ? around.use : node;
     Particulars particulars = named == noNode ? Particulars() : particularsOf(named);
     particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"), drawn.paths);
+    const bool grouped = marked && !place.repeated;
+    if (grouped)
+        content_.open({.kind = Container::Kind::Group});
     addShape(std::move(drawn), place, std::move(particulars));
+    if (marked)
+        drawMarkers(vertices, place);
+    if (grouped)
+        content_.close();
+}
+
+void TreeDrawer::reportMissingMarkers(const Properties& p)
+{
+    for (const auto reference : {p.markerStart, p.markerMid, p.markerEnd})
+        report_.add(losses::marker,
+                    !reference.empty() && !isMarker(tree_.findReference(reference)));
 }
 
 void TreeDrawer::addShape(Drawn drawn, const Place& place, Particulars particulars)
@@ -323,17 +345,22 @@ void TreeDrawer::addShape(Drawn drawn, const Place& place, Particulars particula
     if (!enclosesArea(paths))
         properties.fill = {}; // the writer leaves out such a fill, too
     const double pixelsPerUnit = pixel / page_.millimetresPerUnit();
+    const StrokeScale scale = properties.fixedWidth ? StrokeScale{pixelsPerUnit, pixelsPerUnit}
+                                                    : strokeScale(place.matrix, paths);
     Object object{Path(paths), {}};
-    object.style = paints_.style(properties, place.opacity,
-                                 properties.fixedWidth ? pixelsPerUnit : place.matrix.scale(),
-                                 {paths, place.matrix, place.lengths});
-    report_.add(losses::strokeBelow,
-                properties.strokeBelow && object.style.fill && object.style.stroke);
+    object.style =
+        paints_.style(properties, place.opacity, scale, {paths, place.matrix, place.lengths});
     if (properties.longDashes)
         report_.add(losses::longDashes);
-    if (object.style.stroke && !properties.fixedWidth && !place.matrix.keepsShapes())
-        report_.add(losses::unevenStroke);
+    report_.add(losses::unevenStroke, object.style.stroke && !scale.even);
     object.hidden = place.hidden || !properties.visible;
+    if (properties.strokeBelow && object.style.fill && object.style.stroke) {
+        report_.add(losses::strokeBelow);
+        Object below = object;
+        below.style.fill.reset();
+        object.style.stroke.reset();
+        content_.add(std::move(below), place.clips);
+    }
     object.particulars = std::move(particulars);
     content_.add(std::move(object), place.clips);
 }

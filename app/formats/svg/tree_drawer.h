@@ -3,13 +3,16 @@
 
 #include "app/formats/svg/clipped_content.h"
 #include "app/formats/svg/element_bounds.h"
+#include "app/formats/svg/marker_vertices.h"
 #include "app/formats/svg/outline.h"
 #include "app/formats/svg/paint.h"
 #include "app/formats/svg/text_layout.h"
 #include "app/formats/svg/transform.h"
 #include "app/lettering/named_font.h"
 
+#include <map>
 #include <memory>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -30,6 +33,9 @@ struct Place {
 
 /// A rectangle, transformed.
 PathShape rectangleShape(const Box& box, const Matrix& matrix);
+
+/// Sets what context-fill and context-stroke mean inside an element that is drawn for another one.
+void setContext(Properties& to, const Properties& from);
 
 /// Converts the tree into a document. A table has one row for each element that SVG can paint.
 class TreeDrawer {
@@ -129,12 +135,23 @@ private:
     static bool hasLines(const TextParts& parts, const Texts& texts);
     void drawLetters(const LaidLetters& letters, const Texts& texts, Particulars own);
     void addBoundsOfText(Node node, const Place& place, ElementBounds& bounds);
+    std::vector<Subpath> letterPaths(Node node, const Place& place);
     TextParts textParts(Node node, const Place& place, Texts& texts);
     void collectText(Node node, const Place& place, const TextSpan& around, Texts& texts);
     void collectSpan(Node node, const Place& around, TextSpan span, Texts& texts);
     bool turnToPath(Node node, const Place& place, TextSpan& span);
     void addRun(const Place& place, const TextSpan& span, Texts& texts);
     LineFont lineFont(const Properties& properties);
+
+    std::optional<Colour> patternColour(Node pattern, const Box& box, const Lengths& lengths);
+    std::optional<Colour> tileColour(Node pattern, const Matrix& matrix, const Lengths& lengths);
+    bool hasMarkers(const Properties& properties) const;
+    bool isMarker(Node node) const;
+    void reportMissingMarkers(const Properties& properties);
+    void drawMarkers(const std::vector<MarkerVertex>& vertices, const Place& place);
+    void drawMarker(Node marker, const MarkerVertex& vertex, const Place& around);
+    bool turnToMarker(Node marker, Place& place);
+    bool fitsMarker(Node marker, const Place& place, const Matrix& toViewport, const Box& viewport);
 
     /// A shape in the document's coordinates.
     struct Drawn {
@@ -154,7 +171,11 @@ private:
     const Page& page_;
     ClippedContent content_;
     Node node_ = 0;
-    std::vector<Node> used_;     ///< the targets of the <use> elements being drawn
+    std::vector<Node> used_; ///< the targets of the <use> elements and markers being drawn
+    std::unordered_map<Node, bool> markersThatFit_;   ///< whether nothing of them is to be cut
+    std::vector<Node> patterns_;                      ///< in which this is drawn
+    using TileKey = std::tuple<Node, double, double>; ///< a pattern, and the size of its tile
+    std::map<TileKey, std::optional<Colour>> tiles_;  ///< mean colours
     std::vector<Node> clipping_; ///< the clip paths whose content is being read
     /// What elements in a clip path inherit; usually many have the same parent.
     std::pair<Node, Properties> inherited_{noNode, {}};

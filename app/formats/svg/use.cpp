@@ -18,6 +18,7 @@ void TreeDrawer::drawUse(Node node, const Place& around)
         return;
     }
     place.matrix = place.matrix * translation(shiftOf(node, place));
+    setContext(place.properties, place.properties);
     place.use = around.repeated ? around.use : node;
     place.repeated = true;
     used_.push_back(target);
@@ -86,6 +87,9 @@ std::optional<Place> TreeDrawer::inViewport(Node node, const Place& around,
                   size("height", given.height, lengths.viewport.y)}};
     if (tree_.name(node) == "svg")
         viewport.min = shiftOf(node, around);
+    for (const std::string_view name : {"refX", "refY"})
+        if (tree_.hasAttribute(node, name))
+            report_.add(losses::attribute, name);
     if (!(viewport.size.x > 0 && viewport.size.y > 0)) {
         report_.add(losses::sizeless);
         return std::nullopt;

@@ -163,5 +163,5 @@ private slots:
 
 } // namespace formats_svg_picture_test
 
-TEST_CLASS(formats_svg_picture_test::PictureTest, Core)
+TEST_CLASS(formats_svg_picture_test::PictureTest, Gui)
 #include "tests/app/formats/svg/picture_test.moc"

@@ -423,7 +423,7 @@ private slots:
                  "1 paint of the kind “hatch”");
         QCOMPARE(
             reportOf("<path d='M0 0h1v1' fill='red' stroke='blue' style='paint-order:stroke'/>"),
-            "1 stroke below the fill of its shape");
+            "1 stroke below the fill of its shape became a shape of its own");
         QCOMPARE(reportOf("<path d='M0 0h1v1' fill='red' style='paint-order:stroke'/>"), "");
     }
 

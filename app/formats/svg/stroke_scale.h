@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/formats/svg/transform.h"
+
+#include <span>
+
+namespace app::svg {
+
+/// How a transform changes a stroke: its width and, along the path, its dashes.
+struct StrokeScale {
+    double across = 1, along = 1;
+    bool even = true; ///< the same everywhere, apart from joins and round caps
+};
+
+/// For paths that were transformed by the matrix. Where widths differ, the mean along the paths.
+StrokeScale strokeScale(const Matrix& matrix, std::span<const Subpath> transformed);
+
+} // namespace app::svg
