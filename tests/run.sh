@@ -13,7 +13,7 @@ shift || true
 # parallel: the example with GNU parallel;
 # fonts-dejavu-core: the font of windows in tests (fonts.conf);
 # python3-pyatspi, at-spi2-core, dbus, xdotool: a screen reader's ears, and keys;
-# librsvg2-bin, poppler-utils, texlive-latex-recommended: independent readers of the files we write.
+# librsvg2-bin, poppler-utils, texlive-latex-recommended, python3-ezdxf: independent readers of the files we write.
 case $preset in
 tidy) more=(clang-tidy) ;;
 fuzz) more=(clang "?libclang-rt-14-dev") ;; # the latter: libFuzzer on Debian 12
@@ -21,7 +21,7 @@ deep | coverage) more=(qt6-l10n-tools) ;; # the test of texts
 *) more=() ;;
 esac
 bash "$root/app/install_packages.sh" "${more[@]}" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libexpat1-dev zlib1g-dev hershey-fonts-data libglm-dev \
-    libboost-dev libtbb-dev pkgconf dpkg-dev python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-shapely python3-dask python3-distributed parallel xvfb xauth python3-pyatspi at-spi2-core dbus xdotool fonts-dejavu-core librsvg2-bin poppler-utils texlive-latex-recommended
+    libboost-dev libtbb-dev pkgconf dpkg-dev python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-shapely python3-dask python3-distributed python3-ezdxf parallel xvfb xauth python3-pyatspi at-spi2-core dbus xdotool fonts-dejavu-core librsvg2-bin poppler-utils texlive-latex-recommended
 cd "$root"
 export QT_LOGGING_RULES='*.debug=false'
 cmake --preset "$preset"

@@ -12,8 +12,8 @@
 #include "app/command_line/window_options.h"
 #include "app/cut/cut.h"
 #include "app/document/contents.h"
-#include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
+#include "app/formats/held.h"
 #include "app/formats/rounded.h"
 
 #include <algorithm>
@@ -167,8 +167,7 @@ void clip(const ParsedArguments& arguments)
     const std::size_t dropped = dropHidden(arguments, output, before);
     makeAreasIfWanted(arguments, before);
     const auto covered = occludeIfWanted(arguments, options, before); // rows of CSV have no areas
-    if (output.format->holds == Holds::SeparateLines)
-        before = flattened(std::move(before), options.tolerance);
+    before = asHeld(std::move(before), *output.format, options.tolerance);
     Cut result = cut(before, options, ProgressLine().follower());
     result.edit.windows = ClipWindows(); // it is cut already
     Document after = before;
@@ -176,6 +175,7 @@ void clip(const ParsedArguments& arguments)
     fitPaper(arguments, keptWindows(arguments, imported), after);
     laps.lap(Text::tr("cut"));
 
+    takePage(output, imported);
     output.options.tolerance = options.tolerance;
     output.options.sources = sourceRows(part.rows, before, result);
     if (options.region.keep == Keep::Inside)
@@ -190,6 +190,7 @@ void clip(const ParsedArguments& arguments)
         if (covered)
             say(occlusionText(*covered));
         reportCut(imported, before, result.counts, options.keepContacts);
+        sayNotHeld(part.drawing, output);
         sayPoints(rounded(after, output.options).points);
         sayDropped(arguments, output, dropped);
         if (const QString more = furtherCountsText(result.counts); !more.isEmpty())

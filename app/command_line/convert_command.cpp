@@ -21,10 +21,12 @@ void convert(const ParsedArguments& arguments)
     auto [drawing, rows] = chosenPart(arguments, imported);
     fitPaper(arguments, {}, drawing);
     output.options.sources = std::move(rows);
+    takePage(output, imported);
     writeDrawing(drawing, output);
     if (arguments.has(QStringLiteral("quiet")))
         return;
     sayLosses(imported.report);
+    sayNotHeld(drawing, output);
     sayPoints(rounded(drawing, output.options).points);
     if (output.format->hides == StoresHidden::No)
         sayHiddenLeftOut(hiddenObjects(drawing).size(), *output.format);

@@ -6,6 +6,7 @@
 #include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
 #include "app/document/flatten.h"
+#include "app/formats/held.h"
 #include "app/formats/loss_text.h"
 #include "app/formats/read_open_file.h"
 #include "app/formats/svg/colour.h"
@@ -136,9 +137,13 @@ std::vector<Option> writingOptions()
         {{"dpi"}, "N", Text::tr("Pixels per inch of a picture (96).")},
         {{"background"},
          "COLOUR",
-         Text::tr(
-             "What is behind the drawing: a name, #rrggbb, or none. Pictures are white, and "
-             "with none transparent; PDF files have none. SVG and CSV files cannot have one.")},
+         Text::tr("What is behind the drawing: a name, #rrggbb, or none. Pictures are white, and "
+                  "with none transparent; PDF files have none. Other "
+                  "files cannot have one.")},
+        {{"dxf"},
+         "r2000|r12",
+         Text::tr("Version of a DXF file (r2000). r12, for old programs and machines, has no "
+                  "splines, true colours and line widths.")},
     };
 }
 
@@ -270,6 +275,13 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
     if (const auto decimals = arguments.count(QStringLiteral("precision"), 0, mostDecimals))
         output.options.precision = int(*decimals);
     output.options.background = backgroundOf(arguments, *output.format);
+    output.options.dxf = arguments.choice(QStringLiteral("dxf"), {"r2000", "r12"}) == 1
+                             ? DxfVersion::R12
+                             : DxfVersion::R2000;
+    if (arguments.has(QStringLiteral("dxf")) && !output.format->takes.dxf)
+        throw WrongUsage{Text::tr("--dxf: a file of type %1 is no DXF file. Leave out the option, "
+                                  "or write a dxf file.")
+                             .arg(QLatin1StringView(output.format->key))};
     output.options.dpi = arguments.positive(QStringLiteral("dpi")).value_or(output.options.dpi);
     return output;
 }
@@ -278,6 +290,21 @@ void sayPoints(std::size_t count)
 {
     if (count > 0)
         say(Text::tr("Lines that --precision would make points are left out: %1.").arg(count));
+}
+
+void takePage(Output& output, const Imported& imported)
+{
+    output.options.paged = imported.paged;
+    output.options.wholePage = imported.document.page().rectangle();
+}
+
+void sayNotHeld(const Document& document, const Output& output)
+{
+    if (output.format->holds != Holds::Outlines)
+        return;
+    const ObjectRanges all(ObjectRange{0, document.objects().size()});
+    for (const QString& loss : lossesOf(document, all, *output.format, output.options))
+        say(loss + u'.');
 }
 
 void writeDrawing(const Document& document, const Output& output)

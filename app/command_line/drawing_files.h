@@ -53,6 +53,12 @@ Output outputOf(const ParsedArguments& arguments, const QString& input);
 /// Reports how many lines --precision would make points, if any; they are left out.
 void sayPoints(std::size_t count);
 
+/// Tells the output of the page of the drawing that was read.
+void takePage(Output& output, const Imported& imported);
+
+/// Reports what an outline drawing (DXF) does not hold of the whole document.
+void sayNotHeld(const Document& document, const Output& output);
+
 /// Replaces an existing file only by a complete new one; throws Failure.
 void writeDrawing(const Document& document, const Output& output);
 

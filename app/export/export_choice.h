@@ -37,6 +37,7 @@ struct ExportChoice {
     double dpi = 300;
     int precision = -1;                 ///< WriteOptions::precision
     std::optional<Colour> background{}; ///< WriteOptions::background
+    DxfVersion dxf = DxfVersion::R2000;
     friend bool operator==(const ExportChoice&, const ExportChoice&) = default;
 };
 

@@ -2,11 +2,11 @@
 #include "app/export/export_drawing.h"
 
 #include "app/base/text.h"
-#include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
 #include "app/export/drawn_box.h"
 #include "app/export/export_losses.h"
 #include "app/export/part_of_drawing.h"
+#include "app/formats/held.h"
 #include "app/formats/painted.h"
 
 namespace app {
@@ -20,9 +20,8 @@ Document contentOf(const ExportJob& job)
         content = onlyObjects(std::move(content), *objects);
     else if (format.hides == StoresHidden::No)
         content = withoutHidden(std::move(content));
-    if (format.holds == Holds::SeparateLines) // cut as lines, so that each is in the window
-        content = flattened(std::move(content), usualTolerance(content.page()));
-    return content;
+    const double tolerance = usualTolerance(content.page());
+    return asHeld(std::move(content), format, tolerance);
 }
 
 CutOptions cutOptionsOf(const ExportJob& job)
@@ -58,7 +57,7 @@ std::optional<clipping::Window> paperOf(const ExportJob& job, const Document& co
     return rectangle ? rectangle : drawnBox(content);
 }
 
-WriteOptions writeOptionsOf(const ExportChoice& choice, const ClipRegion& region)
+WriteOptions writeOptionsOf(const ExportChoice& choice, const ClipRegion& region, const Page& page)
 {
     const Format& format = formatOf(choice);
     WriteOptions options;
@@ -68,6 +67,9 @@ WriteOptions writeOptionsOf(const ExportChoice& choice, const ClipRegion& region
         options.background = choice.background;
     if (format.takes.precision)
         options.precision = choice.precision;
+    if (format.takes.dxf)
+        options.dxf = choice.dxf;
+    options.wholePage = page.rectangle();
     if (region.keep == Keep::Inside)
         options.bounds = region.single();
     return options;
@@ -84,7 +86,8 @@ Result<ExportDrawing> exportDrawing(const ExportJob& job, const Follower& follow
         return Made::failure(*fault);
     const CutOptions options = cutOptionsOf(job);
     ExportDrawing made{.document = contentOf(job),
-                       .options = writeOptionsOf(job.choice, options.region)};
+                       .options =
+                           writeOptionsOf(job.choice, options.region, job.source.document.page())};
     if (!options.region.everything()) {
         const Cut result = cut(made.document, options, follower);
         made.cut = true;

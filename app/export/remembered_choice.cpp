@@ -83,6 +83,14 @@ const std::array members{
                return choice.background ? colourText(*choice.background) : QStringLiteral("usual");
            },
            [](const QString& text, ExportChoice& choice) { choice.background = colourOf(text); }},
+    Member{"dxf",
+           [](const ExportChoice& choice) {
+               return choice.dxf == DxfVersion::R12 ? QStringLiteral("r12")
+                                                    : QStringLiteral("r2000");
+           },
+           [](const QString& text, ExportChoice& choice) {
+               choice.dxf = text == QStringLiteral("r12") ? DxfVersion::R12 : DxfVersion::R2000;
+           }},
 };
 
 QString field(const QString& text, int number) { return text.section(u'\t', number, number); }

@@ -4,6 +4,7 @@
 #include "app/document/containers.h"
 #include "app/formats/dxf/limits.h"
 #include "app/formats/dxf/reader.h"
+#include "app/formats/dxf/write_drawing.h"
 
 namespace app {
 
@@ -12,15 +13,15 @@ Format dxfFormat()
     return {"dxf",
             Text::tr("DXF drawing"),
             [](QIODevice& in) { return dxf::read(in, {}); },
-            nullptr,
-            Holds::Paths,
-            StoresHidden::No,
+            dxf::writing::write,
+            Holds::Outlines,
+            StoresHidden::Yes,
             Text::tr("blocks nested %1 deep; %2 points, or one for each byte of a larger file; %3 "
                      "layers (further layers become one)")
                 .arg(countText(std::size_t(dxf::deepestInsert)), countText(dxf::mostParts),
                      countText(Containers::mostLayers)),
-            Text::tr("CAD drawings"),
-            {},
+            Text::tr("CAD, laser"),
+            {.precision = true, .dxf = true},
             dxf::read};
 }
 

@@ -57,6 +57,10 @@ struct ReadOptions {
     std::optional<Unit> unit{}; ///< of its coordinates; one that has a size
 };
 
+/// Versions of DXF that are written: with curves, true colours and line weights, or for old
+/// programs and machines.
+enum class DxfVersion : std::uint8_t { R2000, R12 };
+
 struct WriteOptions {
     int precision = -1; ///< decimals; -1: the shortest text that reads back bit for bit
     double dpi = 96;    ///< PNG only
@@ -70,13 +74,18 @@ struct WriteOptions {
     /// CSV: the column `source`, one number for each object; rows are sorted by it. Empty: no such
     /// column, and rows in drawing order.
     std::vector<std::uint32_t> sources{};
+    DxfVersion dxf = DxfVersion::R2000; ///< DXF only
+    /// DXF: the page of the whole drawing, if that of the document is only a part.
+    std::optional<clipping::Window> wholePage{};
+    bool paged = true; ///< Imported::paged; otherwise DXF keeps numbers of pixels, without a unit
     /// A stop request before the end leaves the disk unchanged.
     std::stop_token stop{};
 };
 
-/// How a format represents a drawing: as paths with curves, or as separate lines. With separate
-/// lines, a line that touches the clip window in a single point counts as kept.
-enum class Holds : std::uint8_t { Paths, SeparateLines };
+/// How a format represents a drawing: as paths with curves, as such paths without fills, or as
+/// separate lines. With separate lines, a line that touches the clip window in a single point
+/// counts as kept.
+enum class Holds : std::uint8_t { Paths, Outlines, SeparateLines };
 
 /// Whether the format can store hidden objects as hidden.
 enum class StoresHidden : std::uint8_t { No, Yes };
@@ -87,6 +96,7 @@ struct FormatTakes {
     bool background = false;
     bool precision = false;
     bool paper = false;
+    bool dxf = false; ///< WriteOptions::dxf
 };
 
 /// One row of the catalogue of file formats. A null function: not supported.

@@ -17,9 +17,12 @@ bool isPointPath(const Subpath& path)
     });
 }
 
-// Empty: it becomes a point.
+} // namespace
+
 std::optional<Subpath> rounded(const Subpath& path, const WriteOptions& options)
 {
+    if (options.precision < 0)
+        return path;
     Subpath result{roundedPoint(path.start, options), {}, path.closed};
     Point at = result.start;
     for (const PathSegment& segment : path.segments) {
@@ -42,8 +45,6 @@ std::optional<Subpath> rounded(const Subpath& path, const WriteOptions& options)
         return std::nullopt;
     return result;
 }
-
-} // namespace
 
 Rounded rounded(Document document, const WriteOptions& options)
 {

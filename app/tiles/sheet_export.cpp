@@ -2,8 +2,8 @@
 #include "app/tiles/sheet_export.h"
 
 #include "app/base/text.h"
-#include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
+#include "app/formats/held.h"
 
 namespace app {
 namespace {
@@ -17,11 +17,9 @@ std::optional<QString> write(Sheets& sheets, const QString& pattern, const Follo
         return Text::tr("Sheets cannot be written as %1.").arg(pattern);
     if (format->hides == StoresHidden::No)
         sheets.drawing = withoutHidden(std::move(sheets.drawing));
-    if (format->holds == Holds::SeparateLines) { // cut as lines, so that each is on its sheet
-        sheets.options.keepContacts = true;
-        sheets.drawing =
-            flattened(std::move(sheets.drawing), usualTolerance(sheets.drawing.page()));
-    }
+    sheets.options.keepContacts = format->holds == Holds::SeparateLines;
+    const double tolerance = usualTolerance(sheets.drawing.page());
+    sheets.drawing = asHeld(std::move(sheets.drawing), *format, tolerance);
     WriteOptions options;
     options.dpi = exportDpi;
     return writeSheets(sheets, pattern, *format, options, follower);

@@ -26,7 +26,7 @@ constexpr std::array usualDpis{96, 150, 300, 600};
 constexpr int mostDecimals = 12;
 constexpr app::Colour white{255, 255, 255}, nothing{255, 255, 255, 0};
 enum Ground : std::uint8_t { None, White, Own };
-enum RowOf : std::uint8_t { Paper, Resolution, Refusal, Background, Decimals };
+enum RowOf : std::uint8_t { Version, Paper, Resolution, Refusal, Background, Decimals };
 
 QStringList dpiTexts()
 {
@@ -47,6 +47,7 @@ Ground groundOf(const app::ExportChoice& choice, const app::Format& format)
 
 OptionsSection::OptionsSection(app::LiveExport& live, QWidget* parent)
     : ExportSection({}, parent), live_(live),
+      version_(new Segments(Text::tr("Version"), {Text::tr("R2000"), Text::tr("R12")})),
       paper_(new Segments(Text::tr("Paper"), {Text::tr("As the area"), Text::tr("Whole page")})),
       dpis_(new Segments(Text::tr("Resolution"), dpiTexts())),
       background_(new Segments(Text::tr("Background"),
@@ -54,6 +55,7 @@ OptionsSection::OptionsSection(app::LiveExport& live, QWidget* parent)
       dpi_(new QLineEdit), frame_(new RefusalFrame(*dpi_)), refusal_(new LookLabel),
       decimals_(new QSpinBox), colours_(new ColourPopup(this))
 {
+    addVersion();
     addPaper();
     addResolution();
     addBackground();
@@ -66,6 +68,18 @@ void OptionsSection::change(const Edit& edit)
     app::ExportChoice choice = live_.choice();
     edit(choice);
     live_.change(std::move(choice));
+}
+
+void OptionsSection::addVersion()
+{
+    version_->setObjectName(QStringLiteral("export-dxf"));
+    version_->setTips({Text::tr("With curves, all colours and line widths"),
+                       Text::tr("For old programs and machines: curves other than arcs become "
+                                "lines, colours the nearest of 255, all lines are equally wide")});
+    rows_.push_back(addRow(Text::tr("Version"), {version_}));
+    connect(version_, &Segments::picked, this, [this](int chosen) {
+        change([&](app::ExportChoice& choice) { choice.dxf = app::DxfVersion(chosen); });
+    });
 }
 
 void OptionsSection::addPaper()
@@ -170,6 +184,7 @@ void OptionsSection::follow()
     const app::ExportChoice& choice = live_.choice();
     const app::Format& format = app::formatOf(choice);
     setTitle(app::latin(format.key).toUpper());
+    version_->choose(int(choice.dxf));
     paper_->choose(int(choice.paper));
     const auto usual = std::ranges::find(usualDpis, choice.dpi);
     usual == usualDpis.end() ? dpis_->chooseNone() : dpis_->choose(int(usual - usualDpis.begin()));
@@ -179,6 +194,7 @@ void OptionsSection::follow()
     const QSignalBlocker quiet(decimals_);
     decimals_->setValue(choice.precision);
     frame_->hide();
+    rows_[Version].setVisible(format.takes.dxf);
     rows_[Paper].setVisible(format.takes.paper);
     rows_[Resolution].setVisible(format.takes.dpi);
     rows_[Refusal].setVisible(false);

@@ -14,7 +14,7 @@ class LookLabel;
 class RefusalFrame;
 class Segments;
 
-/// What the chosen format can do: its paper, resolution, background and decimals.
+/// What the chosen format can do: its version, paper, resolution, background and decimals.
 class OptionsSection : public ExportSection {
     Q_OBJECT
 
@@ -24,6 +24,7 @@ public:
     void follow();
 
 private:
+    void addVersion();
     void addPaper();
     void addResolution();
     void addBackground();
@@ -35,7 +36,7 @@ private:
     void showBackground(const app::Format& format);
 
     app::LiveExport& live_;
-    Segments *paper_, *dpis_, *background_;
+    Segments *version_, *paper_, *dpis_, *background_;
     QLineEdit* dpi_;
     RefusalFrame* frame_;
     LookLabel* refusal_;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/held.h"
+
+#include "app/base/numbers.h"
+#include "app/base/text.h"
+#include "app/document/flattened.h"
+#include "app/document/hidden_objects.h"
+#include "app/formats/dxf/write_shape.h"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+/// One kind of loss: how much of it there is, and how it is said.
+struct LossOfKind {
+    std::size_t count;
+    QString one, many; ///< `many` has a place for the number
+};
+
+/// How many objects have something that only some formats hold.
+struct KindsOfObjects {
+    std::size_t curved = 0, free = 0; ///< with curves; with others than arcs of circles
+    std::size_t filled = 0, texts = 0, transparent = 0;
+};
+
+bool isTransparent(const Style& style)
+{
+    const auto is = [](const std::optional<Colour>& c) { return c && c->alpha < 255; };
+    return is(style.stroke) || is(style.fill);
+}
+
+KindsOfObjects kindsIn(const Document& document, const ObjectRanges& among)
+{
+    KindsOfObjects kinds;
+    const auto count = [&](std::size_t, const ObjectView& object) {
+        kinds.texts += std::holds_alternative<TextRecipe>(object.particulars().recipe);
+        kinds.transparent += isTransparent(object.style());
+        if (object.singleLine())
+            return;
+        kinds.filled += object.style().fill.has_value();
+        if (object.path().straight())
+            return;
+        ++kinds.curved;
+        kinds.free += !std::ranges::all_of(object.path().subpaths(), dxf::writing::hasOnlyArcs);
+    };
+    for (const ObjectRange& range : among.ranges())
+        document.objects().forEach(range.first, range.size(), count);
+    return kinds;
+}
+
+Document withoutFillsBehindStrokes(Document document)
+{
+    const Objects& all = document.objects();
+    Edit edit;
+    edit.objects = all.slice(0, 0);
+    StyleTable& styles = edit.objects.styles();
+    all.forEach(0, all.size(), [&](std::size_t i, const ObjectView& object) {
+        Style style = object.style();
+        if (!style.stroke || !style.fill || object.singleLine())
+            return;
+        style.fill.reset();
+        ObjectRow row = object.row();
+        row.style = styles.entryOf(style);
+        edit.splices.push_back({std::uint32_t(i), 1, 1});
+        edit.objects.append(row);
+    });
+    document.apply(edit);
+    return document;
+}
+
+} // namespace
+
+Document asHeld(Document document, const Format& format, double tolerance)
+{
+    if (format.holds == Holds::SeparateLines)
+        return flattened(std::move(document), tolerance);
+    if (format.holds == Holds::Outlines)
+        return withoutFillsBehindStrokes(std::move(document));
+    return document;
+}
+
+QStringList lossesOf(const Document& document, const ObjectRanges& objects, const Format& format,
+                     const WriteOptions& options)
+{
+    const bool lines = format.holds == Holds::SeparateLines;
+    const bool fills = format.holds == Holds::Paths;
+    const bool isOld = format.takes.dxf && options.dxf == DxfVersion::R12;
+    const bool keepsTexts = format.takes.dpi || (format.read && format.holds == Holds::Paths);
+    const KindsOfObjects kinds = kindsIn(document, objects);
+    const std::array rows{
+        LossOfKind{isOld ? common(hiddenObjects(document), objects).size() : 0,
+                   Text::tr("1 hidden object is left out"),
+                   Text::tr("%1 hidden objects are left out")},
+        LossOfKind{lines   ? kinds.curved
+                   : isOld ? kinds.free
+                           : 0,
+                   Text::tr("1 curved path becomes lines"),
+                   Text::tr("%1 curved paths become lines")},
+        LossOfKind{fills ? 0 : kinds.filled, Text::tr("1 area loses its fill"),
+                   Text::tr("%1 areas lose their fill")},
+        LossOfKind{format.takes.dxf ? kinds.transparent : 0,
+                   Text::tr("1 transparent colour becomes opaque"),
+                   Text::tr("%1 transparent colours become opaque")},
+        LossOfKind{keepsTexts ? 0 : kinds.texts, Text::tr("1 text becomes outlines"),
+                   Text::tr("%1 texts become outlines")},
+    };
+    QStringList sentences;
+    for (const LossOfKind& row : rows)
+        if (row.count > 0)
+            sentences << (row.count == 1 ? row.one : row.many.arg(countText(row.count)));
+    return sentences;
+}
+
+} // namespace app
