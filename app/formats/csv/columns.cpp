@@ -63,6 +63,13 @@ const Names* coordinatesOf(Fields header)
 
 bool namesCoordinates(Fields header) { return coordinatesOf(header) != nullptr; }
 
+bool namesGeometry(std::string_view field)
+{
+    constexpr std::array<std::string_view, 5> names{"wkt", "geometry", "geom", "wktgeom",
+                                                    "thegeom"};
+    return std::ranges::find(names, plain(field)) != names.end();
+}
+
 Header::Header(Fields fields) : coordinates_(coordinatesOf(fields)) {}
 
 std::optional<Column> Header::columnOf(std::string_view field) const

@@ -24,6 +24,9 @@ using Fields = std::span<const std::string_view>;
 /// Whether a header names four columns that are coordinates of lines, by usual names.
 bool namesCoordinates(Fields header);
 
+/// Whether a name is that of a column of geometries, as WKT.
+bool namesGeometry(std::string_view field);
+
 /// The columns that the names in the first record of a table stand for.
 class Header {
 public:

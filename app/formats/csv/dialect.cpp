@@ -5,6 +5,7 @@
 #include "app/base/number.h"
 #include "app/formats/csv/columns.h"
 #include "app/formats/csv/record_fields.h"
+#include "app/formats/csv/wkt.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,8 @@ try {
     while (fit.numbers < fields.size()
            && (coordinateOf(fields[fit.numbers], dialect) || isTooLarge(fields[fit.numbers])))
         ++fit.numbers;
-    fit.isTable = fit.numbers >= coordinateColumns || namesCoordinates(fields);
+    fit.isTable = fit.numbers >= coordinateColumns || namesCoordinates(fields)
+                  || std::ranges::any_of(fields, namesGeometry) || isWkt(fields.front());
     return fit;
 } catch (const Refused&) { // a fault of a table with commas, unless it has other separators
     return {.fields = dialect.separator == ',' ? record.size() : 0};

@@ -35,6 +35,17 @@ void LinesByLayer::add(const clipping::Segment& line, const StyleEntry& style)
     beyond_ += isBeyond_;
 }
 
+void LinesByLayer::add(std::span<const Subpath> lines, const StyleEntry& style)
+{
+    Layer& layer = layers_[layer_];
+    if (!lines.empty()) {
+        layer.objects.append(ObjectRow{Path(lines), style});
+        layer.order.push_back(std::uint32_t(size_));
+        beyond_ += isBeyond_;
+    }
+    ++size_;
+}
+
 Document LinesByLayer::take()
 {
     DocumentBuilder builder;

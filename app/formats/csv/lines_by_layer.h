@@ -4,6 +4,7 @@
 #include "app/document/document.h"
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,10 @@ public:
     /// one.
     void turnTo(std::string_view layer);
     void add(const clipping::Segment& line, const StyleEntry& style);
+    /// Adds the lines of one row as one path; nothing, if there are none.
+    void add(std::span<const Subpath> lines, const StyleEntry& style);
 
-    std::size_t size() const { return size_; } ///< lines added so far
+    std::size_t size() const { return size_; } ///< rows added so far
     int beyond() const { return beyond_; }     ///< lines of layers beyond the limit
 
     /// Returns all lines as a document whose page encloses them. The object cannot be used for

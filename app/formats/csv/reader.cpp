@@ -74,10 +74,14 @@ private:
     {
         if (!memory_.isEnough())
             throw Refused{line, memoryEnds()};
-        const Row row = rows_.row(fields_.of(record, line), line);
+        const Fields fields = fields_.of(record, line);
+        const Row row = rows_.row(fields, line);
         const StyleEntry style = styleOf(row, line);
         lines_.turnTo(row.layer);
-        lines_.add(row.line, style);
+        if (rows_.hasGeometries())
+            lines_.add(rows_.geometry(fields, line), style);
+        else
+            lines_.add(row.line, style);
     }
 
     // Most rows have the style of the previous row.

@@ -79,8 +79,13 @@ bool RowReader::readHeader(std::string_view record, std::size_t line)
         return false;
     }
     positions_.fill(none);
+    if (isWkt(fields.front())) { // then layer, colour and width
+        std::iota(positions_.begin() + LayerName, positions_.end(), 1);
+        geometry_ = 0;
+        return false;
+    }
     readNames(fields, line);
-    for (std::size_t i = 0; i < coordinateColumns; ++i)
+    for (std::size_t i = 0; i < coordinateColumns && !hasGeometries(); ++i)
         if (positions_[i] == none)
             throw Refused{line, Text::tr("is neither four numbers nor a header with x1, y1, x2 "
                                          "and y2; it has %1: %2.")
@@ -94,6 +99,10 @@ void RowReader::readNames(Fields fields, std::size_t line)
     const Header header(fields);
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto column = header.columnOf(fields[i]);
+        if (!column && !namesCoordinates(fields) && !hasGeometries() && namesGeometry(fields[i])) {
+            geometry_ = i;
+            continue;
+        }
         if (!column) {
             report_.push_back({Text::tr("column %1").arg(shownField(trimmed(fields[i])))});
             continue;
@@ -111,15 +120,26 @@ Row RowReader::row(Fields fields, std::size_t line) const
         throw Refused{line, Text::tr("has %1; at most %2 are possible.")
                                 .arg(columnsText(fields.size()))
                                 .arg(mostFields_)};
+    const std::size_t layer = positions_[LayerName];
+    return {hasGeometries() ? clipping::Segment() : lineOf(fields, line),
+            layer < fields.size() ? fields[layer] : std::string_view(), field(fields, StrokeColour),
+            field(fields, Width)};
+}
+
+clipping::Segment RowReader::lineOf(Fields fields, std::size_t line) const
+{
     const Point a{number(fields, X1, line), number(fields, Y1, line)};
     const Point b{number(fields, X2, line), number(fields, Y2, line)};
     if (dialect_.hasDecimalCommas())
         refuseMixture(fields, line);
-    const std::size_t layer = positions_[LayerName];
-    return {{a, a == b ? a : b},
-            layer < fields.size() ? fields[layer] : std::string_view(),
-            field(fields, StrokeColour),
-            field(fields, Width)};
+    return {a, a == b ? a : b};
+}
+
+std::vector<Subpath> RowReader::geometry(Fields fields, std::size_t line) const
+{
+    if (geometry_ >= fields.size())
+        throw Refused{line, Text::tr("has no geometry.")};
+    return linesOfWkt(fields[geometry_], line);
 }
 
 std::string_view RowReader::field(Fields fields, Column column) const

@@ -4,6 +4,7 @@
 #include "app/document/style_table.h"
 #include "app/formats/csv/columns.h"
 #include "app/formats/csv/dialect.h"
+#include "app/formats/csv/wkt.h"
 #include "app/formats/format.h"
 
 #include <optional>
@@ -14,7 +15,7 @@ namespace app::csv {
 
 /// The line in a row of a table, and how it is drawn. The texts lie in the row's fields.
 struct Row {
-    clipping::Segment line;
+    clipping::Segment line;         ///< if the table has no geometries
     std::string_view layer;         ///< as written
     std::string_view colour, width; ///< without spaces around them; may be empty
 };
@@ -29,6 +30,9 @@ public:
     char separator() const { return dialect_.separator; } ///< of the fields, or anyBlanks
 
     Row row(Fields fields, std::size_t line) const;
+    /// Whether rows hold WKT in place of coordinates.
+    bool hasGeometries() const { return geometry_ != none; }
+    std::vector<Subpath> geometry(Fields fields, std::size_t line) const;
 
     const Dialect& dialect() const { return dialect_; }
     /// Whether rows may begin with a colour, so that a # does not begin a comment.
@@ -39,11 +43,13 @@ public:
 private:
     void readNames(Fields fields, std::size_t line);
     std::string_view field(Fields fields, Column column) const;
+    clipping::Segment lineOf(Fields fields, std::size_t line) const;
     double number(Fields fields, Column column, std::size_t line) const;
     void refuseMixture(Fields fields, std::size_t line) const;
 
     static constexpr std::size_t none = ~std::size_t(0);
     std::array<std::size_t, columnNames.size()> positions_{}; ///< of each column in a record
+    std::size_t geometry_ = none;                             ///< the column of geometries
     std::size_t mostFields_ = columnNames.size();
     Dialect dialect_;
     std::vector<Loss> report_;

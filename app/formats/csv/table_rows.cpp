@@ -29,10 +29,22 @@ void TableRows::read(const RecordBlock& block)
 
 void TableRows::readRow(std::string_view record, std::size_t line, std::size_t row)
 {
-    const Row read = rows_.row(fields_.of(record, line), line);
+    const Fields fields = fields_.of(record, line);
+    const Row read = rows_.row(fields, line);
     const std::size_t look = lookOf(read, line);
-    lines_.push_back(read.line);
-    sources_.push_back({row, look});
+    if (!rows_.hasGeometries()) {
+        lines_.push_back(read.line);
+        sources_.push_back({row, look});
+        return;
+    }
+    for (const Subpath& path : rows_.geometry(fields, line)) {
+        Point at = path.start;
+        for (const PathSegment& segment : path.segments) {
+            lines_.push_back({at, segment.to});
+            sources_.push_back({row, look});
+            at = segment.to;
+        }
+    }
 }
 
 // Most rows look like the row before.
