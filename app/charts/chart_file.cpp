@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/chart_file.h"
 
-#include "app/base/replace_file.h"
-#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/charts/chart_layout.h"
 #include "app/charts/chart_paint.h"
@@ -10,10 +8,8 @@
 #include "app/formats/painted.h"
 
 #include <QBuffer>
-#include <QFileInfo>
 #include <QPainter>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -66,14 +62,6 @@ std::optional<QString> writePng(const Chart& chart, const ChartLook& look, const
     return written(out, bytes);
 }
 
-QString keysText()
-{
-    QStringList keys;
-    for (const ChartFormat& format : chartFormats())
-        keys << u'.' + latin(format.key);
-    return keys.join(QStringLiteral(", "));
-}
-
 } // namespace
 
 std::span<const ChartFormat> chartFormats()
@@ -82,16 +70,6 @@ std::span<const ChartFormat> chartFormats()
                                 ChartFormat{"pdf", Text::tr("PDF document"), writePdf},
                                 ChartFormat{"png", Text::tr("PNG picture"), writePng}};
     return all;
-}
-
-const ChartFormat* findChartFormat(QStringView key)
-{
-    const auto found = std::ranges::find_if(chartFormats(), [&](const ChartFormat& format) {
-        return key.compare(QLatin1StringView(format.key.data(), qsizetype(format.key.size())),
-                           Qt::CaseInsensitive)
-               == 0;
-    });
-    return found == chartFormats().end() ? nullptr : &*found;
 }
 
 QSizeF usualSize(const Chart& chart, const ChartLook& look)
@@ -110,14 +88,7 @@ QByteArray chartBytes(const Chart& chart, const ChartFormat& format, const Chart
 
 std::optional<QString> writeChart(const Chart& chart, const QString& path, const ChartLook& look)
 {
-    const ChartFormat* format = findChartFormat(QFileInfo(path).suffix());
-    if (!format)
-        return Text::tr("%1: a chart is written as %2; give the file one of these endings.")
-            .arg(path, keysText());
-    const auto error = replaceFile(path, [&](QIODevice& out) {
-        return format->write(chart, look, usualSize(chart, look), out);
-    });
-    return error ? std::optional(Text::tr("Cannot write %1: %2").arg(path, *error)) : error;
+    return writeAs(chartFormats(), path, chart, look, usualSize(chart, look));
 }
 
 } // namespace app

@@ -130,12 +130,12 @@ void printCostMap(const ParsedArguments& arguments)
     if (!path)
         throw WrongUsage{Text::tr("Say with -o where to write: a file whose name ends with %1. A - "
                                   "is a CSV table on standard output.")
-                             .arg(costMapEndings())};
+                             .arg(endingsOf(costMapFormats()))};
     const bool toOutput = *path == QStringLiteral("-");
-    if (!toOutput && !findCostMapFormat(QFileInfo(*path).suffix()))
+    if (!toOutput && !kindOf(costMapFormats(), QFileInfo(*path).suffix()))
         throw WrongUsage{Text::tr("-o %1: a cost map is written as %2; give the file one of "
                                   "these endings.")
-                             .arg(*path, costMapEndings())};
+                             .arg(*path, endingsOf(costMapFormats()))};
     const bool dark = arguments.choice(QStringLiteral("theme"), {"light", "dark"}) == 1;
     const CostMap map = costMap(planOf(arguments));
     if (toOutput) {
@@ -191,7 +191,7 @@ Command costmapCommand()
          "FILE",
          Text::tr("A picture with legend and caption, or a table with a row for each cell, by its "
                   "ending: %1. A - is standard output, as CSV.")
-             .arg(costMapEndings())},
+             .arg(endingsOf(costMapFormats()))},
         {{"theme"}, "light|dark", Text::tr("The background of the picture (light).")},
     };
     return {"costmap",

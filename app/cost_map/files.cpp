@@ -2,13 +2,10 @@
 #include "app/cost_map/files.h"
 
 #include "app/base/number.h"
-#include "app/base/replace_file.h"
-#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/cost_map/words.h"
 
 #include <QBuffer>
-#include <QFileInfo>
 #include <QImage>
 #include <QPainter>
 
@@ -130,37 +127,15 @@ QImage costPicture(const CostMap& map, const CostMapLook& look)
 
 std::span<const CostMapFormat> costMapFormats()
 {
-    static const std::array all{CostMapFormat{"png", Text::tr("PNG picture"), true, writePng},
-                                CostMapFormat{"csv", Text::tr("CSV table"), false, writeCsv}};
+    static const std::array all{CostMapFormat{"png", Text::tr("PNG picture"), writePng},
+                                CostMapFormat{"csv", Text::tr("CSV table"), writeCsv}};
     return all;
-}
-
-QString costMapEndings()
-{
-    QStringList endings;
-    for (const CostMapFormat& format : costMapFormats())
-        endings << u'.' + latin(format.key);
-    return endings.join(Text::tr(" or "));
-}
-
-const CostMapFormat* findCostMapFormat(const QString& key)
-{
-    const auto found = std::ranges::find_if(costMapFormats(), [&](const CostMapFormat& format) {
-        return latin(format.key).compare(key, Qt::CaseInsensitive) == 0;
-    });
-    return found == costMapFormats().end() ? nullptr : &*found;
 }
 
 std::optional<QString> writeCostMap(const CostMap& map, const QString& path,
                                     const CostMapLook& look)
 {
-    const CostMapFormat* format = findCostMapFormat(QFileInfo(path).suffix());
-    if (!format)
-        return Text::tr("%1: a cost map is written as %2; give the file one of these endings.")
-            .arg(path, costMapEndings());
-    const auto error =
-        replaceFile(path, [&](QIODevice& out) { return format->write(map, look, out); });
-    return error ? std::optional(Text::tr("Cannot write %1: %2").arg(path, *error)) : error;
+    return writeAs(costMapFormats(), path, map, look);
 }
 
 } // namespace app

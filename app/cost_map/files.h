@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/file_kind.h"
 #include "app/cost_map/paint.h"
 #include "app/tables/table.h"
 
-#include <QIODevice>
 #include <QImage>
 
 namespace app {
 
 /// One row of the catalogue of formats in which a whole cost map can be saved.
-struct CostMapFormat {
-    std::string_view key; ///< "png": the file name's ending
-    QString name;         ///< translated: "PNG picture"
-    bool paints;          ///< needs a QGuiApplication
-    /// Empty, or why it failed.
-    std::optional<QString> (*write)(const CostMap& map, const CostMapLook& look, QIODevice& out);
-};
+using CostMapFormat = FileKind<CostMap, CostMapLook>;
 std::span<const CostMapFormat> costMapFormats();
-/// The endings of all formats: ".png or .csv".
-QString costMapEndings();
-/// Finds a format by a file's ending; null if there is none.
-const CostMapFormat* findCostMapFormat(const QString& key);
 
-/// Replaces a file only by a complete new one. Empty, or a sentence that names the file.
+/// `writeAs`.
 std::optional<QString> writeCostMap(const CostMap& map, const QString& path,
                                     const CostMapLook& look);
 

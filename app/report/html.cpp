@@ -29,7 +29,7 @@ QString element(const char* name, const QString& content)
 QString drawing(const Chart& chart, Ground ground, const QString& id)
 {
     const ChartLook look = chartLook(ground);
-    QString svg = QString::fromUtf8(chartBytes(chart, *findChartFormat(u"svg"), look));
+    QString svg = QString::fromUtf8(chartBytes(chart, *kindOf(chartFormats(), u"svg"), look));
     svg.remove(0, std::max<qsizetype>(svg.indexOf(QStringLiteral("<svg")), 0));
     static const QRegularExpression defined(QStringLiteral("\\bid=\"")),
         used(QStringLiteral("(url\\(#|xlink:href=\"#)")), size(QStringLiteral("^<svg [^>]*>"));

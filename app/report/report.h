@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/file_kind.h"
 #include "app/charts/chart.h"
 #include "app/tables/table.h"
-
-#include <QIODevice>
 
 namespace app {
 
@@ -27,23 +26,14 @@ struct Report {
 /// A field of a table as it is displayed: numbers with a real minus.
 QString readable(const QString& field, bool numeric);
 
-/// One row of the catalogue of report formats.
-struct ReportFormat {
-    QString key;  ///< "html": value of --report, and the file's ending
-    QString name; ///< "Web page", translated
-    /// Writes one self-contained file. Empty, or why it failed. Needs a QGuiApplication for the
-    /// fonts of charts.
-    std::optional<QString> (*write)(const Report& report, QIODevice& out);
-};
+/// One row of the catalogue of report formats, as one self-contained file. Needs a QGuiApplication
+/// for the fonts of charts.
+using ReportFormat = FileKind<Report>;
 
 /// Every format, in menu order.
-std::vector<ReportFormat> reportFormats();
+std::span<const ReportFormat> reportFormats();
 
-/// The format of a file's ending, or empty.
-std::optional<ReportFormat> reportFormatOf(const QString& path);
-
-/// Writes a file in the format of its ending; replaces an existing file only by a complete new one.
-/// Empty, or a sentence that names the file and says what to do.
+/// `writeAs`.
 std::optional<QString> writeReport(const Report& report, const QString& path);
 
 } // namespace app

@@ -109,7 +109,7 @@ std::vector<StudyFile> studyFiles()
         rows.push_back(
             {StudyFile::Group::Charts, format.name, latin(format.key), chartPaths, writeCharts});
     for (const ReportFormat& format : reportFormats())
-        rows.push_back({StudyFile::Group::Report, format.name, format.key,
+        rows.push_back({StudyFile::Group::Report, format.name, latin(format.key),
                         [](const Study&, const QString& path) { return QStringList{path}; },
                         [](const Study& study, const QString& path, const std::stop_token& stop) {
                             return writeEach({path}, stop, [&](qsizetype) {

@@ -193,7 +193,7 @@ void CostMapPanel::setQuestions(std::unique_ptr<Questions> questions)
 
 void CostMapPanel::exportAs(const QString& key)
 {
-    const auto* format = app::findCostMapFormat(key);
+    const auto* format = app::kindOf(app::costMapFormats(), key);
     const QString path = questions_->fileToWrite(
         Text::tr("Export the cost map"), QStringLiteral("cost-map.") + key, format->name, key);
     if (path.isEmpty())

@@ -183,7 +183,7 @@ std::vector<Writer> madeWriters()
                            return writeTable(table(), format, path);
                        }});
     for (const ReportFormat& format : reportFormats())
-        all.push_back({"report", format.key, [](const QString& path) {
+        all.push_back({"report", latin(format.key), [](const QString& path) {
                            return writeReport(
                                {.title = "R", .sections = {{.title = "S", .tables = {table()}}}},
                                path);

@@ -50,7 +50,7 @@ QByteArray written(const QString& key, const app::Report& report)
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     for (const app::ReportFormat& format : app::reportFormats())
-        if (format.key == key && !format.write(report, buffer))
+        if (app::latin(format.key) == key && !format.write(report, buffer))
             return buffer.data();
     qFatal("not written");
 }
@@ -226,14 +226,16 @@ private slots:
         QTemporaryDir folder;
         QStringList endings;
         for (const app::ReportFormat& format : app::reportFormats()) {
-            endings << u'.' + format.key;
-            const QString path = folder.filePath("Report." + format.key.toUpper());
-            QCOMPARE(app::reportFormatOf(path)->key, format.key);
+            endings << u'.' + app::latin(format.key);
+            const QString path = folder.filePath("Report." + endings.last().sliced(1).toUpper());
+            QVERIFY(!app::writeReport(sample(), path));
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QCOMPARE(file.read(4), format.key == "pdf" ? "%PDF" : "<!DO");
             QVERIFY(!format.name.isEmpty());
         }
         QCOMPARE(*app::writeReport(sample(), "report.unknown"),
-                 "Cannot write report.unknown: end the name of a report with "
-                     + endings.join(" or ") + u'.');
+                 "Cannot write report.unknown: end its name with " + endings.join(" or ") + u'.');
         const auto error = app::writeReport(sample(), folder.filePath("no/report.html"));
         QVERIFY(error && error->contains("No such file or directory"));
     }
