@@ -300,7 +300,7 @@ void takePage(Output& output, const Imported& imported)
 
 void sayNotHeld(const Document& document, const Output& output)
 {
-    if (output.format->holds != Holds::Outlines)
+    if (output.format->holds != Holds::Outlines && output.format->holds != Holds::Polygons)
         return;
     const ObjectRanges all(ObjectRange{0, document.objects().size()});
     for (const QString& loss : lossesOf(document, all, *output.format, output.options))

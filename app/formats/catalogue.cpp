@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/replace_file.h"
-#include "app/base/text.h"
+#include "app/base/file_kind.h"
 #include "app/formats/format.h"
 #include "app/formats/gzip.h"
 #include "app/formats/read_open_file.h"
@@ -21,6 +20,7 @@ Format csvFormat();
 Format pdfFormat();
 Format pngFormat();
 Format dxfFormat();
+Format geojsonFormat();
 
 // THE CATALOGUE. To add a format, write its file in app/formats/, declare its function above, and
 // add it to the list below.
@@ -33,6 +33,7 @@ std::span<const Format> formats()
         pdfFormat(),
         pngFormat(),
         dxfFormat(),
+        geojsonFormat(),
     };
     // clang-format on
     return all;
@@ -49,13 +50,7 @@ static QString typesWith(Function Format::*can)
     return keys.join(QStringLiteral(", "));
 }
 
-const Format* findFormat(QStringView key)
-{
-    const auto found = std::ranges::find_if(formats(), [&](const Format& format) {
-        return key.compare(QLatin1StringView(format.key), Qt::CaseInsensitive) == 0;
-    });
-    return found == formats().end() ? nullptr : &*found;
-}
+const Format* findFormat(QStringView key) { return kindOf(formats(), key); }
 
 static bool isCompressedSvg(const QString& path)
 {

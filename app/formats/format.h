@@ -62,8 +62,8 @@ struct ReadOptions {
 enum class DxfVersion : std::uint8_t { R2000, R12 };
 
 struct WriteOptions {
-    int precision = -1; ///< decimals; -1: the shortest text that reads back bit for bit
-    double dpi = 96;    ///< PNG only
+    int precision = -1;   ///< decimals; -1: the shortest text that reads back bit for bit
+    double dpi = 96;      ///< PNG only
     /// Painted on the whole page, behind the drawing. Empty: what is usual, which is white in a
     /// picture and nothing elsewhere. With alpha 0 a picture is transparent.
     std::optional<Colour> background{};
@@ -82,10 +82,10 @@ struct WriteOptions {
     std::stop_token stop{};
 };
 
-/// How a format represents a drawing: as paths with curves, as such paths without fills, or as
-/// separate lines. With separate lines, a line that touches the clip window in a single point
-/// counts as kept.
-enum class Holds : std::uint8_t { Paths, Outlines, SeparateLines };
+/// How a format represents a drawing: as paths with curves, as such paths without fills, as
+/// polygons and lines without curves, or as separate lines. With separate lines, a line that
+/// touches the clip window in a single point counts as kept.
+enum class Holds : std::uint8_t { Paths, Outlines, Polygons, SeparateLines };
 
 /// Whether the format can store hidden objects as hidden.
 enum class StoresHidden : std::uint8_t { No, Yes };
@@ -110,7 +110,7 @@ struct Format {
                                     const WriteOptions& options);
     Holds holds = Holds::Paths;
     StoresHidden hides = StoresHidden::No;
-    QString limits{};  ///< the largest content of a file, worded to follow "at most "; may be empty
+    QString limits{}; ///< the largest content of a file, worded to follow "at most "; may be empty
     QString purpose{}; ///< what its files are for, in two words: "edit again"
     FormatTakes takes{};
     /// Reads with options; null: the format takes none.

@@ -22,7 +22,7 @@ struct LossOfKind {
 /// How many objects have something that only some formats hold.
 struct KindsOfObjects {
     std::size_t curved = 0, free = 0; ///< with curves; with others than arcs of circles
-    std::size_t filled = 0, texts = 0, transparent = 0;
+    std::size_t filled = 0, texts = 0, transparent = 0, dashed = 0;
 };
 
 bool isTransparent(const Style& style)
@@ -37,6 +37,7 @@ KindsOfObjects kindsIn(const Document& document, const ObjectRanges& among)
     const auto count = [&](std::size_t, const ObjectView& object) {
         kinds.texts += std::holds_alternative<TextRecipe>(object.particulars().recipe);
         kinds.transparent += isTransparent(object.style());
+        kinds.dashed += object.style().stroke && !object.style().dashes.empty();
         if (object.singleLine())
             return;
         kinds.filled += object.style().fill.has_value();
@@ -74,7 +75,7 @@ Document withoutFillsBehindStrokes(Document document)
 
 Document asHeld(Document document, const Format& format, double tolerance)
 {
-    if (format.holds == Holds::SeparateLines)
+    if (format.holds == Holds::SeparateLines || format.holds == Holds::Polygons)
         return flattened(std::move(document), tolerance);
     if (format.holds == Holds::Outlines)
         return withoutFillsBehindStrokes(std::move(document));
@@ -84,8 +85,8 @@ Document asHeld(Document document, const Format& format, double tolerance)
 QStringList lossesOf(const Document& document, const ObjectRanges& objects, const Format& format,
                      const WriteOptions& options)
 {
-    const bool lines = format.holds == Holds::SeparateLines;
-    const bool fills = format.holds == Holds::Paths;
+    const bool lines = format.holds == Holds::SeparateLines || format.holds == Holds::Polygons;
+    const bool fills = format.holds == Holds::Paths || format.holds == Holds::Polygons;
     const bool isOld = format.takes.dxf && options.dxf == DxfVersion::R12;
     const bool keepsTexts = format.takes.dpi || (format.read && format.holds == Holds::Paths);
     const KindsOfObjects kinds = kindsIn(document, objects);
@@ -98,6 +99,12 @@ QStringList lossesOf(const Document& document, const ObjectRanges& objects, cons
                            : 0,
                    Text::tr("1 curved path becomes lines"),
                    Text::tr("%1 curved paths become lines")},
+        LossOfKind{format.holds == Holds::SeparateLines ? kinds.dashed : 0,
+                   Text::tr("1 dashed path becomes a line for each dash"),
+                   Text::tr("%1 dashed paths become a line for each dash")},
+        LossOfKind{format.holds == Holds::Polygons ? kinds.dashed : 0,
+                   Text::tr("1 dashed path becomes solid"),
+                   Text::tr("%1 dashed paths become solid")},
         LossOfKind{fills ? 0 : kinds.filled, Text::tr("1 area loses its fill"),
                    Text::tr("%1 areas lose their fill")},
         LossOfKind{format.takes.dxf ? kinds.transparent : 0,

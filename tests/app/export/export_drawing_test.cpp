@@ -224,6 +224,29 @@ private slots:
         QCOMPARE(made(job).losses,
                  QStringList{"1 line becomes a point at this precision and is left out"});
     }
+
+    // The border of the cut area would be lines along the window, and others below the stroke.
+    void formatsWithoutFillsCutOnlyTheStroke()
+    {
+        ExportJob job = jobOf(ExportPart::Cut, "dxf");
+        job.choice.dxf = DxfVersion::R12;
+        Sheet sheet;
+        const Subpath square{{10, 10}, {{{50, 10}}, {{50, 50}}, {{10, 50}}}, true};
+        sheet.shapes = {{{square}, {.stroke = Colour{}, .fill = Colour{9, 9, 9, 128}}, {}, 0}};
+        job.source.document = documentOf(sheet);
+        job.source.document.apply(
+            {.windows = ClipWindows{{{.shape = RectangleShape{{{20, 20}, {60, 80}}}}}}});
+        const ExportDrawing drawing = made(job);
+        QCOMPARE(drawing.document.objects().size(), std::size_t(1));
+        QVERIFY(!drawing.document.objects()[0].style().fill);
+        QCOMPARE(drawing.losses,
+                 (QStringList{"1 area loses its fill", "1 transparent colour becomes opaque"}));
+        QCOMPARE(drawing.options.dxf, DxfVersion::R12);
+        QCOMPARE(drawing.options.wholePage, std::optional(sheet.page.rectangle()));
+        job.choice.format = "geojson"; // areas are areas
+        QCOMPARE(made(job).document.objects().size(), std::size_t(2));
+        QCOMPARE(made(job).losses, QStringList());
+    }
 };
 
 } // namespace export_export_drawing_test
