@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/running_program.h"
 
+#include "app/base/read_strings.h"
+
 #include <QCryptographicHash>
 #include <QDataStream>
 #include <QDir>
@@ -18,6 +20,7 @@ namespace {
 
 constexpr int patience = 2000;          // milliseconds
 constexpr qint64 mostBytes = 1'000'000; // of a message
+constexpr quint32 leastOfFile = 4;      // bytes of a name
 constexpr quint32 sign = 0x636C6331;    // "clc1": this form of a message
 constexpr char acknowledgement = '\x06';
 
@@ -100,11 +103,12 @@ void Listener::answer()
             stream.setVersion(QDataStream::Qt_6_4);
             stream.startTransaction();
             quint32 form = 0;
-            QStringList files;
             stream >> form;
             if (stream.status() == QDataStream::Ok && form != sign)
                 return from->abort();
-            stream >> files;
+            const QStringList files = app::readStrings(stream, mostBytes / leastOfFile);
+            if (stream.status() == QDataStream::ReadCorruptData)
+                return from->abort();
             if (!stream.commitTransaction())
                 return; // the rest is still to come, or the timer ends it
             if (accepting_ && !accepting_())

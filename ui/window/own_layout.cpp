@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/own_layout.h"
 
+#include "app/base/read_strings.h"
 #include "app/settings/remembered.h"
 
 #include <QDataStream>
@@ -13,6 +14,7 @@ namespace ui {
 namespace {
 
 constexpr int version = 1; // of the data of QMainWindow::saveState()
+constexpr quint32 mostPanels = 100;
 constexpr auto group = "layouts";
 
 } // namespace
@@ -62,10 +64,10 @@ void OwnLayout::show()
     exists_ = own != layouts_.cend();
     if (!exists_)
         return;
-    QStringList open;
-    QByteArray places;
     QDataStream stream(*own);
-    stream >> open >> places;
+    const QStringList open = app::readStrings(stream, mostPanels);
+    QByteArray places;
+    stream >> places;
     exists_ = window_.restoreState(places, version);
     // It also shows docks that its data do not name.
     for (QDockWidget* dock : docks())
