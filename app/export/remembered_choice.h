@@ -8,7 +8,7 @@
 namespace app {
 
 /// The choice as one readable text, without the number of a window or a layer, which other drawings
-/// have not: "png area=selection paper=area dpi=300 precision=-1 background=00000000".
+/// have not: "png area=selection paper=area dpi=300 precision=-1 background=00000000 …".
 QString textOf(const ExportChoice& choice);
 /// The reverse. What is missing or not possible is as usual; empty if the format is unknown.
 std::optional<ExportChoice> choiceOf(const QString& text);

@@ -23,7 +23,8 @@ private slots:
                                   .paper = ExportPaper::Page,
                                   .dpi = 150.5,
                                   .precision = 3,
-                                  .background = Colour{1, 171, 3, 0}};
+                                  .background = Colour{1, 171, 3, 0},
+                                  .dxf = DxfVersion::R12};
         const auto read = choiceOf(textOf(choice));
         QVERIFY2(read == choice, qPrintable(textOf(choice)));
     }
@@ -35,6 +36,7 @@ private slots:
                  ExportChoice{.format = "png"});
         QCOMPARE(choiceOf("png dpi=1e99").value(), ExportChoice{.format = "png"});
         QCOMPARE(choiceOf("png dpi=nan").value(), ExportChoice{.format = "png"});
+        QCOMPARE(choiceOf("dxf dxf=r14").value(), ExportChoice{.format = "dxf"});
     }
     void eachFormatAndEachDrawingHasItsOwn()
     {

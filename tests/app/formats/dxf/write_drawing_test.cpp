@@ -276,6 +276,43 @@ private slots:
         QCOMPARE(entity.point(11), (Point{1.2, 1}));
     }
 
+    void whatIsReadIsWrittenAtTheSamePlace()
+    {
+        for (const WriteOptions& options : {WriteOptions{}, r12}) {
+            QByteArray file = dxfOfSvg("<path d='M10.1 20L30 5.3'/><path d='M1 2L3.7 4L5 9Z'/>"
+                                       "<rect x='10' y='20' width='30' height='40' rx='5'/>"
+                                       "<circle cx='40' cy='30' r='12.5'/>"
+                                       "<ellipse cx='50' cy='40' rx='10' ry='30'/>"
+                                       "<path d='M10 10C20 0 40 60 50 10'/>"
+                                       "<path d='M10 10A20 20 0 0 1 30 30'/>",
+                                       options);
+            QBuffer buffer(&file);
+            buffer.open(QIODevice::ReadOnly);
+            const auto read = findFormat(u"dxf")->read(buffer);
+            QVERIFY2(read, qPrintable(read.error));
+            WriteOptions again = options;
+            again.paged = read.value->paged;
+            const QByteArray second = dxfOf(read.value->document, again);
+            const auto before = entitiesOf(file), after = entitiesOf(second);
+            QCOMPARE(after.size(), before.size());
+            for (qsizetype i = 0; i < before.size(); ++i) {
+                QCOMPARE(after[i].type, before[i].type);
+                for (const int code : {10, 20, 11, 21, 40, 42, 50, 51}) {
+                    const auto ours = before[i].numbers(code), theirs = after[i].numbers(code);
+                    QCOMPARE(theirs.size(), ours.size());
+                    for (qsizetype k = 0; k < ours.size(); ++k)
+                        QVERIFY2(std::abs(ours[k] - theirs[k]) < 1e-6,
+                                 qPrintable(QStringLiteral("%1 %2: %3, %4")
+                                                .arg(QString(before[i].type))
+                                                .arg(code)
+                                                .arg(ours[k])
+                                                .arg(theirs[k])));
+                }
+            }
+            QCOMPARE(headerOf(second, "$INSUNITS"), "4");
+        }
+    }
+
     void cutArcsEndWhereTheyWereCut()
     {
         // A quarter of a circle without a short piece, as a cut leaves it.
