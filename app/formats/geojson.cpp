@@ -9,7 +9,7 @@ namespace app {
 Format geojsonFormat()
 {
     return {.key = "geojson",
-            .name = Text::tr("Map features"),
+            .name = Text::tr("GeoJSON map"),
             .read = geojson::read,
             .write = geojson::write,
             .holds = Holds::Polygons,

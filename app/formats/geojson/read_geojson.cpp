@@ -21,6 +21,7 @@ namespace {
 
 constexpr double largestNumber = 1e300; // keeps sums and differences finite
 constexpr double usualWidth = 1e-3;     // of a stroke, as a part of the drawing's size
+constexpr double usualSize = 300;       // millimetres, of a map in degrees
 constexpr int deepestCollection = 100;
 constexpr std::uint64_t memoryForByte = 8; // of the file, while it is read
 
@@ -75,6 +76,8 @@ public:
         }
         Imported imported{.document = lines.take(), .report = report(lines.beyond())};
         imported.paged = false;
+        if (hasDegrees())
+            imported.document.apply({.page = ofUsualSize(imported.document.page())});
         return imported;
     }
 
@@ -181,6 +184,16 @@ private:
         if (drawn.hasWidth)
             drawn.style.width = width;
         return drawn;
+    }
+
+    // A map of a town in degrees would have less than a pixel.
+    static Page ofUsualSize(Page page)
+    {
+        const double longest = std::max(page.size.x, page.size.y);
+        const double millimetres = longest > 0 ? usualSize / longest : 1;
+        page.width = {page.size.x * millimetres, Unit::Mm};
+        page.height = {page.size.y * millimetres, Unit::Mm};
+        return page;
     }
 
     double widthOfStrokes() const

@@ -4,6 +4,8 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <cmath>
+
 #include "tests/app/formats/svg/text.h"
 #include "tests/test_class.h"
 
@@ -72,6 +74,8 @@ private slots:
         QVERIFY(read.value->report[0].what.contains("plate carrée"));
         QVERIFY(sheet.shapes[0].style.width < 0.1); // not as wide as the map
         QVERIFY(!read.value->paged);
+        QCOMPARE(sheet.page.height.unit, Unit::Mm); // of a usual size, whatever a degree is
+        QVERIFY(std::abs(sheet.page.height.value - 300) < 1e-9);
     }
 
     void polygonsHaveHolesAndLayersNames()
