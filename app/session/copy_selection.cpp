@@ -7,6 +7,7 @@
 #include "app/commands/move_objects.h"
 #include "app/document/copies.h"
 #include "app/document/hidden_objects.h"
+#include "app/export/drawn_box.h"
 #include "app/session/units.h"
 
 namespace app {
@@ -36,6 +37,19 @@ Document movedBy(const Document& drawing, const Point& by)
     return moved;
 }
 
+/// What was copied at another scale, or far away, would be looked for.
+Point intoSight(const Document& drawing, const Point& by,
+                const std::optional<clipping::Window>& seen)
+{
+    const auto box = drawnBox(drawing);
+    if (!seen || !box)
+        return by;
+    const Point least = box->min + by, most = box->max + by;
+    const bool outside = most.x < seen->min.x || least.x > seen->max.x || most.y < seen->min.y
+                         || least.y > seen->max.y;
+    return outside ? (seen->min + seen->max) * 0.5 - (box->min + box->max) * 0.5 : by;
+}
+
 } // namespace
 
 void duplicateInPlace(Session& session)
@@ -47,7 +61,8 @@ void duplicateInPlace(Session& session)
                Text::tr("Duplicate"));
 }
 
-void paste(Session& session, const Document& drawing, PastePlace place)
+void paste(Session& session, const Document& drawing, PastePlace place,
+           const std::optional<clipping::Window>& seen)
 {
     if (!mayAddObjects(session)) {
         emit session.refused(
@@ -57,9 +72,10 @@ void paste(Session& session, const Document& drawing, PastePlace place)
         return;
     }
     const Point step(stepMillimetres / session.now().page().millimetresPerUnit());
-    const Point by = place == PastePlace::InPlace
-                         ? Point(0)
-                         : copyOffset(session.now(), drawing.objects(), step);
+    const Point by =
+        place == PastePlace::InPlace
+            ? Point(0)
+            : intoSight(drawing, copyOffset(session.now(), drawing.objects(), step), seen);
     pushCopies(session, withDrawing(session.now(), movedBy(drawing, by), containerForNew(session)),
                Text::tr("Paste"));
 }

@@ -15,7 +15,9 @@ void duplicateInPlace(Session& session);
 /// repeated copies do not lie on each other.
 enum class PastePlace : std::uint8_t { Offset, InPlace };
 /// Adds everything of a drawing on top of the entered group or the current layer. If that is locked
-/// or hidden, nothing changes, and `Session::refused` says so.
-void paste(Session& session, const Document& drawing, PastePlace place);
+/// or hidden, nothing changes, and `Session::refused` says so. With an offset it comes into the
+/// middle of `seen` if it would lie outside.
+void paste(Session& session, const Document& drawing, PastePlace place,
+           const std::optional<clipping::Window>& seen = {});
 
 } // namespace app

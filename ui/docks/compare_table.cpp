@@ -44,6 +44,7 @@ CompareTable::CompareTable(app::Session& session, QWidget* parent)
                                                            : clipping::Form::Published);
     });
     connect(&session, &app::Session::displayChanged, this, &CompareTable::follow);
+    connect(&session, &app::Session::loaded, this, [this] { sortOnce(-1); }); // other times
 }
 
 void CompareTable::showRows(std::span<const app::RaceRow> rows, std::size_t lines,

@@ -79,7 +79,7 @@ StartPanel::StartPanel(QWidget* parent)
       noRecent_(new QLabel(Text::tr("Drawings you open are listed here."))),
       recent_(new QListWidget)
 {
-    auto* draw = new StartButton("pencil", Text::tr("Draw"), Text::tr("on a new A3 page"));
+    auto* draw = new StartButton("pencil", Text::tr("Draw"), Text::tr("on a new page"));
     auto* open = new StartButton("folder", Text::tr("Open…"), readableFormats());
     auto* lesson = new StartButton("book", Text::tr("First lesson"), Text::tr("why clip a line?"));
     auto* paper = new StartButton("chart", Text::tr("The paper…"), Text::tr("which is fastest?"));

@@ -34,12 +34,13 @@ void cutSelection(app::Session& session)
     session.select({});
 }
 
-QString paste(app::Session& session, app::PastePlace place, app::PastedText text)
+QString paste(app::Session& session, app::PastePlace place, app::PastedText text,
+              const std::optional<clipping::Window>& seen)
 {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     const app::Document drawing = data ? app::pasted(*data, session.now().page()) : app::Document();
     if (!drawing.objects().empty()) {
-        app::paste(session, drawing, place);
+        app::paste(session, drawing, place, seen);
         return {};
     }
     text.text = data ? data->text() : QString();

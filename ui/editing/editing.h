@@ -16,7 +16,8 @@ void copySelection(const app::Session& session);
 void cutSelection(app::Session& session);
 /// Pastes the drawing on the clipboard, or its text as an object in the font and at the place of
 /// `text`, whose own text does not count. Empty, or why nothing was pasted.
-QString paste(app::Session& session, app::PastePlace place, app::PastedText text);
+QString paste(app::Session& session, app::PastePlace place, app::PastedText text,
+              const std::optional<clipping::Window>& seen = {});
 void deleteSelection(app::Session& session);
 /// Selects every object that is visible and not locked, in the entered group if there is one.
 void selectAll(app::Session& session);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/print_sheet.h"
 
+#include "app/base/number.h"
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/export/export_path.h"
@@ -25,9 +26,10 @@ namespace {
 /// Where it is said how many sheets are printed.
 class PrintResult : public ExportSection {
 public:
-    PrintResult(QWidget* sheets, QWidget* error) : ExportSection(Text::tr("Result"))
+    PrintResult(double ratio, QWidget* sheets, QWidget* error) : ExportSection(Text::tr("Result"))
     {
-        addRow(Text::tr("Scale"), {new QLabel(Text::tr("<b>1 : 1</b>, true size"))});
+        addRow(Text::tr("Scale"),
+               {new QLabel(Text::tr("<b>1 : %1</b>, true size").arg(app::shortestText(ratio)))});
         addRow(Text::tr("Sheets"), {sheets});
         grid().addWidget(error, grid().rowCount(), 0, 1, 2);
     }
@@ -79,7 +81,7 @@ void PrintSheet::addResult()
     error_->setObjectName(QStringLiteral("print-error"));
     error_->setWordWrap(true);
     error_->setColour(errorColour);
-    body().addWidget(new PrintResult(sheets_, error_));
+    body().addWidget(new PrintResult(session_.now().page().scale.ratio, sheets_, error_));
 }
 
 void PrintSheet::addButtons()

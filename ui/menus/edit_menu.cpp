@@ -46,7 +46,8 @@ app::PastedText textToPaste(const Canvas& canvas)
 
 void pasteOrWarn(MainWindow& window, app::PastePlace place)
 {
-    const QString why = paste(window.session(), place, textToPaste(window.canvas()));
+    const QString why = paste(window.session(), place, textToPaste(window.canvas()),
+                              window.canvas().view().visible());
     withdrawWarning(window);
     pasteWarning() = why;
     if (!why.isEmpty())

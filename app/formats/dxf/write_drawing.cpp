@@ -19,11 +19,14 @@ namespace app::dxf::writing {
 namespace {
 
 constexpr double largestWritten = 1e100; // programs compute with squares of coordinates
+// Millimetres. Programs that draw curves as lines have no memory for larger ones.
+constexpr double largestWithCurves = 1e12;
 
 /// What is known of the paths before the first one is written.
 struct Extent {
     std::optional<clipping::Window> box{};
     std::size_t subpaths = 0;
+    bool hasCurves = false;
 
     void add(const Point& p)
     {
@@ -39,6 +42,7 @@ Extent extentOf(const Document& document)
     objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
         const Path path = object.path();
         extent.subpaths += path.subpathCount();
+        extent.hasCurves = extent.hasCurves || !path.straight();
         path.forEachPoint([&](const Point& p) { extent.add(p); });
     });
     return extent;
@@ -60,8 +64,10 @@ public:
     {
         const Extent extent = extentOf(document_);
         const clipping::Window box = plane_(extent.box.value_or(document_.page().rectangle()));
+        const double most =
+            extent.hasCurves ? largestWithCurves / plane_.millimetres() : largestWritten;
         for (const Point& p : {box.min, box.max})
-            if (!(std::abs(p.x) <= largestWritten && std::abs(p.y) <= largestWritten))
+            if (!(std::abs(p.x) <= most && std::abs(p.y) <= most))
                 return Text::tr("its coordinates are too large for DXF.");
         const std::size_t entries = layers_.entries().size() + lineTypes_.all().size();
         const Skeleton skeleton{

@@ -35,7 +35,8 @@ Plane::Plane(const Page& page, const WriteOptions& options)
         return;
     const auto& [unit, code] = found ? *found : unitCodes.front();
     unit_ = code;
-    scale_ = page.realMillimetresPerUnit() / infoOf(unit).millimetres;
+    millimetres_ = infoOf(unit).millimetres;
+    scale_ = page.realMillimetresPerUnit() / millimetres_;
     if (std::abs(scale_ - 1) < 1e-12) // but for rounding
         scale_ = 1;
     height_ = heightOfPlane(page, options) * scale_;

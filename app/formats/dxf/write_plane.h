@@ -17,10 +17,11 @@ public:
     Subpath operator()(Subpath path) const;
 
     double length(double userUnits) const { return userUnits * scale_; }
-    int unit() const { return unit_; } ///< the value of $INSUNITS
+    int unit() const { return unit_; }                  ///< the value of $INSUNITS
+    double millimetres() const { return millimetres_; } ///< of that unit; 1 without one
 
 private:
-    double scale_ = 1, height_ = 0;
+    double scale_ = 1, height_ = 0, millimetres_ = 1;
     int unit_ = 0;
 };
 

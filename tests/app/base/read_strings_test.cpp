@@ -12,7 +12,8 @@ class ReadStringsTest : public QObject {
     static QByteArray dataOf(const QStringList& strings)
     {
         QByteArray data;
-        QDataStream(&data, QIODevice::WriteOnly) << strings;
+        QDataStream stream(&data, QIODevice::WriteOnly);
+        stream << strings;
         return data;
     }
 
@@ -37,7 +38,8 @@ private slots:
         }
         for (const quint32 claimed : {3U, 11U, 0x7fffffffU, 0xffffffffU}) {
             QByteArray data;
-            QDataStream(&data, QIODevice::WriteOnly) << claimed << QString("one");
+            QDataStream out(&data, QIODevice::WriteOnly);
+            out << claimed << QString("one");
             QDataStream stream(data);
             QVERIFY(app::readStrings(stream, 10).empty());
             QCOMPARE(stream.status(),

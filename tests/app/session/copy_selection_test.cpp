@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document.h"
+#include "app/scene/bounds.h"
 #include "app/session/clipboard.h"
 #include "app/session/copy_selection.h"
 
@@ -76,6 +77,24 @@ private slots:
                 session.history.redo();
                 QVERIFY(session.now().objects() == from.objects());
             }
+    }
+    void whatWouldLieOutOfSightComesIntoIt()
+    {
+        const Document far = lines(3, 1); // 2 × 5, at the origin
+        const auto placed = [&](const std::optional<clipping::Window>& seen, PastePlace place) {
+            Session session;
+            session.load({newDrawing(), {}});
+            paste(session, far, place, seen);
+            return *boundsOf(session.scene.lines());
+        };
+        const clipping::Window away{{1000, 2000}, {1100, 2100}};
+        const auto shown = placed(away, PastePlace::Offset);
+        QCOMPARE((shown.min + shown.max) * 0.5, Point(1050, 2050));
+        for (const auto& [seen, place] :
+             {std::pair(std::optional(away), PastePlace::InPlace),
+              std::pair(std::optional<clipping::Window>(), PastePlace::Offset),
+              std::pair(std::optional(clipping::Window{{0, 0}, {50, 50}}), PastePlace::Offset)})
+            QVERIFY(placed(seen, place).max.x < 20);
     }
     void anotherProgramsDrawingArrives()
     {

@@ -282,7 +282,6 @@ private slots:
             QByteArray file = dxfOfSvg("<path d='M10.1 20L30 5.3'/><path d='M1 2L3.7 4L5 9Z'/>"
                                        "<rect x='10' y='20' width='30' height='40' rx='5'/>"
                                        "<circle cx='40' cy='30' r='12.5'/>"
-                                       "<ellipse cx='50' cy='40' rx='10' ry='30'/>"
                                        "<path d='M10 10C20 0 40 60 50 10'/>"
                                        "<path d='M10 10A20 20 0 0 1 30 30'/>",
                                        options);

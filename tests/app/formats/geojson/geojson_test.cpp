@@ -15,6 +15,9 @@ using namespace app;
 
 namespace {
 
+/// The text with quotation marks for its apostrophes.
+QByteArray json(QByteArray text) { return text.replace('\'', '"'); }
+
 Result<Imported> readMap(const QByteArray& text)
 {
     QBuffer buffer;
@@ -33,8 +36,8 @@ QByteArray mapOf(const Document& document, const WriteOptions& options = {})
 
 QByteArray lineText(const QByteArray& coordinates, const QByteArray& properties = "{}")
 {
-    return R"({"type":"Feature","properties":)" + properties
-           + R"(,"geometry":{"type":"LineString","coordinates":)" + coordinates + "}}";
+    return json("{'type':'Feature','properties':") + properties
+           + json(",'geometry':{'type':'LineString','coordinates':") + coordinates + "}}";
 }
 
 /// The geometries of a written map.
@@ -80,15 +83,17 @@ private slots:
 
     void polygonsHaveHolesAndLayersNames()
     {
-        const auto read = readMap(R"({"type":"FeatureCollection","features":[
-            {"type":"Feature","properties":{"layer":"lakes","fill":"#00f","fill-opacity":0.5,
-                                            "stroke-width":2,"depth":9},
-             "geometry":{"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,0]],
-                                                         [[5,1],[6,2],[5,2],[5,1]]]}},
-            {"type":"Feature","properties":null,"geometry":null},
-            {"type":"Feature","properties":{},"geometry":{"type":"GeometryCollection","geometries":[
-                {"type":"Point","coordinates":[1,2,300]},
-                {"type":"MultiLineString","coordinates":[[[0,0],[500,1]],[[2,2],[3,3]]]}]}}]})");
+        const auto read = readMap(
+            json("{'type':'FeatureCollection','features':["
+                 "{'type':'Feature','properties':{'layer':'lakes','fill':'#00f','fill-opacity':0.5,"
+                 "'stroke-width':2,'depth':9},"
+                 "'geometry':{'type':'Polygon','coordinates':[[[0,0],[9,0],[9,9],[0,0]],"
+                 "[[5,1],[6,2],[5,2],[5,1]]]}},"
+                 "{'type':'Feature','properties':null,'geometry':null},"
+                 "{'type':'Feature','properties':{},'geometry':{'type':'GeometryCollection','"
+                 "geometries':["
+                 "{'type':'Point','coordinates':[1,2,300]},"
+                 "{'type':'MultiLineString','coordinates':[[[0,0],[500,1]],[[2,2],[3,3]]]}]}}]}"));
         QVERIFY2(read, qPrintable(read.error));
         const Sheet sheet = sheetOf(read.value->document);
         QCOMPARE(sheet.shapes.size(), 3u);
@@ -124,10 +129,10 @@ private slots:
         QVERIFY(readMap(lineText("[[0,0],[1]]")).error.contains("two numbers"));
         QVERIFY(readMap(lineText("[[0,0],[1,\"2\"]]")).error.contains("two numbers"));
         QVERIFY(readMap(lineText("[[0,0],[1,1e301]]")).error.contains("too large"));
-        QVERIFY(readMap(R"({"type":"Topology"})").error.contains("Topology"));
+        QVERIFY(readMap(json("{'type':'Topology'}")).error.contains("Topology"));
         QByteArray deep;
         for (int i = 0; i < 300; ++i)
-            deep += R"({"type":"GeometryCollection","geometries":[)";
+            deep += json("{'type':'GeometryCollection','geometries':[");
         for (int i = 0; i < 300; ++i)
             deep += "]}";
         QVERIFY(readMap(deep).error.contains("deep"));
@@ -136,11 +141,11 @@ private slots:
     void aMapComesBack()
     {
         const QByteArray text = lineText("[[8.5,47.25],[9,48]]",
-                                         R"({"layer":"a","stroke":"#ff0000","stroke-width":3})");
+                                         json("{'layer':'a','stroke':'#ff0000','stroke-width':3}"));
         const Document document = readMap(text).value->document;
         const QByteArray written = mapOf(document, {.paged = false});
         QCOMPARE(sheetOf(readMap(written).value->document).shapes, sheetOf(document).shapes);
-        QCOMPARE(compact(geometriesOf(written)[0]["coordinates"]), "[[8.5,47.25],[9,48]]");
+        QCOMPARE(compact(geometriesOf(written).at(0)["coordinates"]), "[[8.5,47.25],[9,48]]");
     }
 
     void areasBecomePolygonsWithTheirHoles()
