@@ -133,7 +133,10 @@ void MessageStrip::showAnswers()
         for (std::size_t i = 0; i < question.answers.size(); ++i) {
             auto* button = new QPushButton(question.answers[i].text);
             answers_->layout()->addWidget(button);
-            first = first ? first : button;
+            if (i == 0) {
+                wearFont(*button, 1, QFont::DemiBold); // Enter presses it
+                first = button;
+            }
             connect(button, &QPushButton::clicked, this,
                     [this, number = number, i] { give(number, i); });
         }
