@@ -14,7 +14,7 @@
 namespace app {
 namespace {
 
-constexpr auto eachRun = "each-run";
+constexpr auto eachRun = "each-run", verbose = "verbose";
 
 /// The measures without --measure: all of them for a report that people read.
 QString usualMeasures(const ParsedArguments& arguments, bool forPeople)
@@ -64,11 +64,34 @@ std::vector<Table> runsTables(const Study& study)
     return tables;
 }
 
-std::vector<Table> tablesOf(const ParsedArguments& arguments, const Study& study)
+/// What a person reads first of each trial on a scene; the paper's layouts as they are.
+std::vector<Table> briefTables(const Study& study, Against against)
+{
+    std::vector<Table> tables;
+    for (const Trial& trial : study.trials)
+        for (const Measure& measure : study.measures)
+            if (!trial.paper)
+                tables.push_back(briefTimesTable(trial.record, measure));
+    if (tables.empty())
+        return tablesOf(study, against);
+    tables.back().notes << Text::tr("More columns and how this was measured: -v. Data: -f csv.");
+    return tables;
+}
+
+/// Whether people read the tables, and did not ask for all columns.
+bool isBrief(const ParsedArguments& arguments, const TableOutput& output)
+{
+    return output.format.key == tableFormats().front().key
+           && !arguments.has(QLatin1StringView(verbose));
+}
+
+std::vector<Table> tablesOf(const ParsedArguments& arguments, const TableOutput& output,
+                            const Study& study)
 {
     const Against against = parsedAgainst(arguments);
-    auto tables =
-        arguments.has(QLatin1StringView(eachRun)) ? runsTables(study) : tablesOf(study, against);
+    auto tables = arguments.has(QLatin1StringView(eachRun)) ? runsTables(study)
+                  : isBrief(arguments, output)              ? briefTables(study, against)
+                                                            : tablesOf(study, against);
     if (study.explanation)
         std::ranges::move(tablesOf(*study.explanation), std::back_inserter(tables));
     return tables;
@@ -94,7 +117,7 @@ void bench(const ParsedArguments& arguments)
     if (files.empty() || wanted.analyses.empty())
         plan.explained.reset();
     const Study study = measured(plan);
-    auto tables = tablesOf(arguments, study);
+    auto tables = tablesOf(arguments, output, study);
     if (!study.explanation)
         for (const Analysis& analysis : wanted.analyses)
             tables.push_back(analysed(analysis, explained));
@@ -109,7 +132,10 @@ std::vector<Option> benchOptions()
         std::ranges::move(more, std::back_inserter(all));
     };
     add(experimentOptions());
-    add({{{eachRun}, {}, Text::tr("One row for each run instead of a summary.")}});
+    add({{{eachRun}, {}, Text::tr("One row for each run instead of a summary.")},
+         {{"v", verbose},
+          {},
+          Text::tr("All columns and how it was measured, also in the text format.")}});
     add(tableOptions());
     add(fileOptions());
     return all;
@@ -124,10 +150,11 @@ Command benchCommand()
         "[OPTIONS]",
         Text::tr("Repeats the paper's experiment: random lines in (-960,-720)–(960,720) clipped at "
                  "(-100,-75)–(100,75), or other scenes. Prints for each algorithm the nanoseconds "
-                 "per line: median, spread between the quartiles, mean, and the 95 % confidence "
-                 "interval of the median. Algorithms that share no letter differ significantly, by "
-                 "1 % or more; one that differs from every other has a rank. Then come the numbers "
-                 "of lines that are visible and lost. Exact clips many lines at once with vector "
+                 "per line (the median), the ratio to the lowest, and the number of lines that it "
+                 "loses. One that differs significantly from every other, by 1 % or more, has a "
+                 "rank. With -v it also prints letters (algorithms that share none differ), "
+                 "spread between the quartiles, mean, and the 95 % confidence interval of the "
+                 "median. Exact clips many lines at once with vector "
                  "instructions; exact-one-by-one is called line by line, like the others."),
         benchOptions(),
         {"clearcut bench --paper all --against-paper",

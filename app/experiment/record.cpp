@@ -172,6 +172,28 @@ Table timesTable(const Record& record, const Measure& measure)
     return table;
 }
 
+Table briefTimesTable(const Record& record, const Measure& measure)
+{
+    const Table whole = timesTable(record, measure);
+    Table table{.names = {"algorithm", "form", "rank", "median_ns", "ratio_fastest", "lost"},
+                .title = whole.title,
+                .key = whole.key};
+    for (const std::size_t i : rankingOf(record, measure).order) {
+        table.rows.emplace_back();
+        for (const QString& name : table.names)
+            table.rows.back() << whole.rows[i][whole.names.indexOf(name)];
+    }
+    for (const auto& fact : whole.facts)
+        if (QStringList{"lines", "runs", "drawn", "processor", "compiler"}.contains(fact.first))
+            table.facts.push_back(fact);
+    table.notes << Text::tr("Ratio: to the lowest median. No rank: the algorithm does not differ "
+                            "significantly from every other one. Lost: visible lines that it "
+                            "drops.");
+    if (const QString batches = batchText(variantsOf(record)); !batches.isEmpty())
+        table.notes << batches;
+    return table;
+}
+
 Table runsTable(const Record& record, std::span<const Measure> measures)
 {
     Table table{.names = {"algorithm", "form", "measure", "run", "lines", "visible", "seconds"},

@@ -149,12 +149,24 @@ QString proposedText(const RankedResults& told)
         .arg(name);
 }
 
+/// "here (Intel Xeon, 2 core(s); GCC 12.2.0)": times are those of one processor and one compiler.
+QString hereText(const Record& record)
+{
+    QStringList names;
+    for (const char* key : {"processor", "compiler"})
+        for (const auto& [name, value] : record.circumstances)
+            if (name == QLatin1StringView(key))
+                names << value;
+    return names.isEmpty() ? Text::tr("here")
+                           : Text::tr("here (%1)").arg(names.join(QStringLiteral("; ")));
+}
+
 QString rankingSentence(const Trial& trial, const RankedResults& told)
 {
     if (!told.ranking.told)
         return Text::tr("So the paper's ranking can be neither confirmed nor refuted.");
     const auto check = rankingCheck(*trial.paper, trial.record, told.measure);
-    const QString own = proposedText(told);
+    const QString own = proposedText(told), here = hereText(trial.record);
     const QString pairs = countText(check.same + check.reversed + check.undecided),
                   undecided = countText(check.undecided);
     if (check.same + check.reversed == 0)
@@ -163,16 +175,16 @@ QString rankingSentence(const Trial& trial, const RankedResults& told)
             .arg(pairs);
     if (check.reversed > 0)
         return Text::tr(
-                   "The paper's ranking does not hold: %1, and %2 of %3 pairs have the opposite "
-                   "order. %4 have the same order, %5 do not differ significantly by 1 % or more.")
-            .arg(own, countText(check.reversed), pairs, countText(check.same), undecided);
+                   "The paper's ranking does not hold %1: %2, and %3 of %4 pairs have the opposite "
+                   "order. %5 have the same order, %6 do not differ significantly by 1 % or more.")
+            .arg(here, own, countText(check.reversed), pairs, countText(check.same), undecided);
     if (check.holds())
-        return Text::tr("The paper's ranking holds: %1, and all %2 pairs have the same "
+        return Text::tr("The paper's ranking holds %1: %2, and all %3 pairs have the same "
                         "order as in the paper.")
-            .arg(own, pairs);
-    return Text::tr("Nothing contradicts the paper's ranking: %1. %2 of %3 pairs have the same "
-                    "order as in the paper, and %4 do not differ significantly by 1 % or more.")
-        .arg(own, countText(check.same), pairs, undecided);
+            .arg(here, own, pairs);
+    return Text::tr("Nothing contradicts the paper's ranking %1: %2. %3 of %4 pairs have the same "
+                    "order as in the paper, and %5 do not differ significantly by 1 % or more.")
+        .arg(here, own, countText(check.same), pairs, undecided);
 }
 
 /// What our tests find in the paper's own runs, and whether its lines were different.

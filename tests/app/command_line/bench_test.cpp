@@ -91,6 +91,27 @@ private slots:
         QVERIFY2(concave.contains("this window is concave, 4 edges."), concave.constData());
     }
 
+    void peopleReadTheRankFirst()
+    {
+        const QStringList bench{"bench", "-n", "2000", "-r", "6", "-a", "cs,kwc,md"};
+        const auto brief = clearcut(bench), verbose = clearcut(bench + QStringList{"-v"});
+        QCOMPARE(brief.code, 0);
+        const auto head = [](const QByteArray& text) {
+            return text.mid(text.indexOf("algorithm"), 200).simplified();
+        };
+        QVERIFY2(head(brief.out).startsWith("algorithm form rank median_ns ratio_fastest lost"),
+                 head(brief.out));
+        for (const char* part : {"processor", "compiler", "-v"})
+            QVERIFY2(brief.out.contains(part), part);
+        for (const char* part : {"checksum", "spread", "seed", "low"})
+            QVERIFY2(!brief.out.contains(part) && verbose.out.contains(part), part);
+        for (const auto& line : notEmpty(brief.out.split('\n')))
+            QVERIFY2(QString::fromUtf8(line).size() <= 80, line);
+        // As data there is everything.
+        const auto csv = clearcut(bench + QStringList{"-f", "csv"});
+        QVERIFY(csv.out.startsWith("algorithm,form,rank,letters,median_ns,"));
+    }
+
     void everyRunCanHaveARow()
     {
         const auto run = clearcut({"bench", "-n", "1000", "-r", "3", "-a", "cs,md", "--form",
