@@ -46,14 +46,19 @@ QByteArray nameOfColour(const QColor& colour)
 
 } // namespace
 
-QByteArray figureSvg(const TraceStep& at, const QSizeF& size)
+FigureFrame svgFrame(const TracedLine& tracedLine, const QSizeF& size)
 {
     constexpr int typeSize = 15; // legible where a phone shows the figure at two thirds
     QFont font = QGuiApplication::font();
     font.setPixelSize(typeSize);
+    return nearFrame(tracedLine, size, font);
+}
+
+QByteArray figureSvg(const TraceStep& at, const QSizeF& size)
+{
     SvgDevice device(size, nameOfColour);
     QPainter painter(&device);
-    paintStep(painter, at, nearFrame(at.tracedLine, size, font), numberedColours());
+    paintStep(painter, at, svgFrame(at.tracedLine, size), numberedColours());
     painter.end();
     return device.elements();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/teaching/figure_frame.h"
 #include "app/teaching/step_scene.h"
 
 #include <QByteArray>
@@ -15,6 +16,9 @@ namespace app {
 /// rest of the name is that of a colour of FigureColours: "s-window". The page defines what they
 /// look like, so that they can follow a dark desktop. Equal figures are equal bytes.
 QByteArray figureSvg(const TraceStep& at, const QSizeF& size);
+
+/// Where the figure's points are in it.
+FigureFrame svgFrame(const TracedLine& tracedLine, const QSizeF& size);
 
 /// The names of the classes' colours, without "s-" and "f-", and their colours on a ground.
 std::vector<std::pair<const char*, QColor>> figureClasses(Ground ground);

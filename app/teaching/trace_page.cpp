@@ -16,7 +16,7 @@ namespace app {
 namespace {
 
 /// The page stays below 300 kB, also with a script and a style that grow.
-constexpr qsizetype mostBytesOfSteps = 260'000;
+constexpr qsizetype mostBytesOfSteps = 230'000;
 constexpr QSizeF figureSize(480, 340);
 
 QByteArray resource(const char* name)
@@ -150,8 +150,9 @@ QByteArray traceHtml(const TraceExport& trace, std::span<const std::size_t> step
            + "<div>\n"
            + (isRefused ? paragraphHtml("sentence", trace.narration.refusal)
                         : stepsHtml(trace, steps))
-           + "</div>\n" + codeHtml(trace.narration.code) + "</main>\n<script>\n"
-           + resource("page.js") + "</script>\n</body>\n</html>\n";
+           + "</div>\n" + codeHtml(trace.narration.code) + "</main>\n" + dataHtml(trace, figureSize)
+           + "<script>\n" + resource("interpreter.js") + resource("page.js") + resource("drag.js")
+           + "</script>\n</body>\n</html>\n";
 }
 
 } // namespace app

@@ -22,6 +22,9 @@ QByteArray stepsBarHtml();
 QByteArray codeHtml(const QStringList& code);
 /// A step: figure number `figure`, sentence, line of the pseudo-code, variables, operations.
 QByteArray stepHtml(const TraceStep& at, const QSizeF& figureSize, std::size_t figure);
+/// What is needed to run the pseudo-code for another line; empty for a trace that is only one step,
+/// and at convex windows.
+QByteArray dataHtml(const TraceExport& trace, const QSizeF& figureSize);
 /// That steps are not on the page; the arguments are the first and the last of them.
 QString leftOutText(std::size_t from, std::size_t to);
 

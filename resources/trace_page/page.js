@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shows one step of the page at a time. Without it, all steps stand below each other, as on paper.
 'use strict';
-(() => {
-  const steps = [...document.querySelectorAll('.step')];
+const page = (() => {
+  const articles = [...document.querySelectorAll('.step')];
   const lines = [...document.querySelectorAll('.code li')];
   const find = id => document.getElementById(id);
   const slider = find('slider'), heard = find('heard');
-  if (steps.length < 2) return;
-  document.documentElement.classList.add('js');
-  find('steps').hidden = false;
-  slider.max = steps.length - 1;
-  let at = 0;
+  if (articles.length === 0) return null;
+
+  // The steps of the page as it was written. drag.js has others.
+  const written = {
+    count: articles.length,
+    id: i => articles[i].id,
+    line: i => Number(articles[i].dataset.line),
+    place: i => articles[i].dataset.place,
+    sentence: i => articles[i].querySelector('.sentence').textContent,
+    show: i => articles.forEach((one, k) => { one.hidden = k !== i; }),
+    leave: () => articles.forEach(one => { one.hidden = true; }),
+  };
+  let steps = written, at = 0;
 
   function mark(number) {
     lines.forEach((line, i) => {
@@ -23,21 +31,29 @@
   }
 
   function show(step, tells) {
-    at = Math.min(Math.max(step, 0), steps.length - 1);
-    steps.forEach((one, i) => { one.hidden = i !== at; });
-    const here = steps[at];
-    mark(Number(here.dataset.line));
+    at = Math.min(Math.max(step, 0), steps.count - 1);
+    steps.show(at);
+    mark(steps.line(at));
     slider.value = at;
-    slider.setAttribute('aria-valuetext', here.dataset.place);
-    find('place').textContent = here.dataset.place;
+    slider.setAttribute('aria-valuetext', steps.place(at));
+    find('place').textContent = steps.place(at);
     find('first').disabled = find('back').disabled = at === 0;
-    find('next').disabled = find('last').disabled = at === steps.length - 1;
+    find('next').disabled = find('last').disabled = at === steps.count - 1;
     if (!tells) return;
-    heard.textContent = here.dataset.place + '. ' + here.querySelector('.sentence').textContent;
-    try { history.replaceState(null, '', '#' + here.id); } catch { /* not everywhere */ }
+    heard.textContent = steps.place(at) + '. ' + steps.sentence(at);
+    try { history.replaceState(null, '', '#' + steps.id(at)); } catch { /* not everywhere */ }
   }
 
-  const ways = { first: () => 0, back: () => at - 1, next: () => at + 1, last: () => steps.length - 1 };
+  function use(others, step, tells) {
+    if (others !== steps) steps.leave();
+    steps = others;
+    slider.max = Math.max(steps.count - 1, 1);
+    show(step, tells);
+  }
+
+  document.documentElement.classList.add('js');
+  find('steps').hidden = false;
+  const ways = { first: () => 0, back: () => at - 1, next: () => at + 1, last: () => steps.count - 1 };
   const keys = { ArrowLeft: 'back', ArrowRight: 'next', Home: 'first', End: 'last' };
   for (const way of Object.keys(ways)) find(way).addEventListener('click', () => show(ways[way](), true));
   slider.addEventListener('input', () => show(Number(slider.value), true));
@@ -51,7 +67,7 @@
   let touch = null;
   const stage = document.querySelector('main');
   stage.addEventListener('touchstart', event => {
-    touch = event.touches.length === 1 ? event.touches[0] : null;
+    touch = event.touches.length === 1 && !event.target.closest('.handle') ? event.touches[0] : null;
   }, { passive: true });
   stage.addEventListener('touchend', event => {
     if (!touch) return;
@@ -60,6 +76,6 @@
     if (Math.abs(x) > 40 && Math.abs(x) > 2 * Math.abs(y)) show(ways[x < 0 ? 'next' : 'back'](), true);
   }, { passive: true });
 
-  const wanted = steps.findIndex(step => '#' + step.id === location.hash);
-  show(Math.max(wanted, 0), false);
+  use(written, Math.max(articles.findIndex(one => '#' + one.id === location.hash), 0), false);
+  return { use, written, step: () => at };
 })();

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/teaching/figure.h"
 #include "app/teaching/figure_svg.h"
 #include "app/teaching/near_frame.h"
 #include "app/teaching/trace_file.h"
 
 #include <QGuiApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QPainter>
 #include <QRegularExpression>
 #include <QStandardPaths>
@@ -12,6 +16,8 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/app/teaching/formulas/lines.h"
+#include "tests/deep.h"
 #include "tests/test_class.h"
 #include "tests/verify.h"
 
@@ -77,6 +83,59 @@ double meanDifference(const QImage& a, const QImage& b)
         for (int x = 0; x < a.width(); ++x)
             sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
     return sum / (double(a.width()) * a.height());
+}
+
+/// The rows that need exact arithmetic, or a script for each pair of regions, are not.
+bool isRunByPages(const Variant& variant)
+{
+    const std::string_view key = variant.algorithm->key;
+    return key != "exact" && key != "winding-number" && key != "sobkow-pospisil-yang";
+}
+
+QJsonArray numbersOf(const Point& p, const Point& q) { return {p.x, p.y, q.x, q.y}; }
+
+QJsonObject countsOf(const clipping::OperationCounts& cost)
+{
+    return {{"comparisons", qint64(cost.comparisons)},
+            {"additions", qint64(cost.additions)},
+            {"multiplications", qint64(cost.multiplications)},
+            {"divisions", qint64(cost.divisions)},
+            {"negations", qint64(cost.negations)}};
+}
+
+/// A form with the library's runs of many lines, for interpreter_check.js.
+QJsonObject runsOf(const Variant& variant)
+{
+    const auto& functions = *clipping::functionsOf(*variant.algorithm, variant.form);
+    static const auto inputs = formulas::inputs();
+    QJsonArray runs, code;
+    QJsonObject kinds;
+    for (std::size_t i = 0; i < inputs.size(); i += std::size_t(3 * tests::caseStep() - 2)) {
+        const auto& [line, window] = inputs[i];
+        const clipping::Trace trace = functions.trace(line, window);
+        const bool isVisible = trace.outcome == clipping::Outcome::Visible;
+        const auto& visible = trace.visible;
+        for (const auto& step : trace.steps)
+            for (const auto& value : step.values)
+                if (value.kind != clipping::ValueKind::Number)
+                    kinds[latin(value.name)] = QStringLiteral("whole");
+        runs.append(QJsonObject{
+            {"line", numbersOf(line.a, line.b)},
+            {"window", numbersOf(window.min, window.max)},
+            {"outcome", isVisible                                       ? "visible"
+                        : trace.outcome == clipping::Outcome::DidNotEnd ? "did not end"
+                                                                        : "invisible"},
+            {"visible", isVisible ? QJsonValue(numbersOf(visible.a, visible.b)) : QJsonValue()},
+            {"counts", countsOf(trace.steps.back().cost)}});
+    }
+    for (const QString& text : traceOf(variant).narration.code)
+        code.append(text);
+    return {{"name", keyOf(variant)},
+            {"code", code},
+            {"kinds", kinds},
+            // One comparison says which of two numbers is less, or that none is (exceptions.h).
+            {"comparesLess", keyOf(variant) == "slater-barsky"},
+            {"runs", runs}};
 }
 
 } // namespace
@@ -154,7 +213,7 @@ private slots:
         const QString page = pageOf(trace);
         QVERIFY(page.contains(hostile.toHtmlEscaped()));
         QVERIFY(!page.contains("<img") && !page.contains("<!--"));
-        QCOMPARE(page.count("</script>"), 1);
+        QCOMPARE(page.count("</script>"), 2); // the data and the script
         trace.narration.steps.clear();
         trace.narration.refusal = hostile;
         QVERIFY(!pageOf(trace).contains("<img"));
@@ -195,13 +254,47 @@ private slots:
         }
         QVERIFY(compared > 10);
     }
-    void theScriptIsRead()
+    void theScriptsAreRead()
     {
         const QString node = QStandardPaths::findExecutable(QStringLiteral("node"));
         if (node.isEmpty())
-            QSKIP("Node is not installed, which reads the page's script");
-        const auto run = runProgram(node, {"--check", SOURCE_DIR "/resources/trace_page/page.js"});
+            QSKIP("Node is not installed, which reads the page's scripts");
+        for (const char* script : {"page", "drag", "interpreter"}) {
+            const auto run = runProgram(
+                node, {"--check", QString(SOURCE_DIR "/resources/trace_page/%1.js").arg(script)});
+            QVERIFY2(run.code == 0, run.err);
+        }
+    }
+    /// Bit for bit and operation for operation, in all forms that a page can run.
+    void theInterpreterComputesWhatTheLibraryDoes()
+    {
+        const QString node = QStandardPaths::findExecutable(QStringLiteral("node"));
+        if (node.isEmpty())
+            QSKIP("Node is not installed, which runs the page's interpreter");
+        const QTemporaryDir folder;
+        QJsonArray forms;
+        qsizetype runs = 0;
+        for (const Variant& variant : variants()) {
+            if (variant.misprint || !isRunByPages(variant))
+                continue;
+            forms.append(runsOf(variant));
+            runs += forms.last()["runs"].toArray().size();
+        }
+        QCOMPARE(forms.size(), 18);
+        writeText(folder.filePath("data.json"), QJsonDocument(forms).toJson());
+        const auto run = runProgram(node, {SOURCE_DIR "/tests/app/teaching/interpreter_check.js",
+                                           SOURCE_DIR "/resources/trace_page/interpreter.js",
+                                           folder.filePath("data.json")});
         QVERIFY2(run.code == 0, run.err);
+        QCOMPARE(run.out, QByteArray::number(runs) + '\n');
+    }
+    /// Of the rows that need exact arithmetic or a script for each pair of regions, not.
+    void onlyPagesThatCanRunTheCodeHaveItsData()
+    {
+        QVERIFY(pageOf(traceOf("nln")).contains("id=\"trace\">{"));
+        TraceExport one = traceOf("md");
+        one.only = 1;
+        QVERIFY(!pageOf(one).contains("id=\"trace\""));
     }
 };
 
