@@ -5,6 +5,7 @@
 #include "app/commands/change_paths.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
+#include "app/commands/name_object.h"
 #include "app/commands/outline_strokes.h"
 #include "app/commands/rearrange_objects.h"
 #include "app/commands/resize_objects.h"
@@ -34,6 +35,7 @@ std::span<const CommandKind> commandKinds()
         RearrangeObjects::row,
         SetStyle::row,
         SetHidden::row,
+        NameObject::row,
         SetWindows::row,
         SetGuides::row,
         SetSheets::row,

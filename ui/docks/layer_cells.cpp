@@ -97,12 +97,15 @@ QVariant LayerModel::objectCell(const app::TreeRow& row, int role) const
     switch (role) {
     case Qt::DisplayRole:
         return app::objectName(session_, object);
+    case Qt::EditRole:
+        return view.particulars().id;
     case IconRole:
         return app::latin(app::iconOf(view));
     case VisibleRole:
         return !view.hidden();
     case Qt::ToolTipRole:
-        return Text::tr("%1. Click: select it. Drag: to a layer.").arg(app::nameOf(view));
+        return Text::tr("%1. Click: select it. Double click: name it. Drag: to a layer.")
+            .arg(app::nameOf(view));
     case Qt::AccessibleTextRole:
         return spoken(row, {view.hidden() ? Text::tr("hidden") : QString()});
     default:

@@ -73,12 +73,13 @@ void LayerList::keyPressEvent(QKeyEvent* event)
         pick(currentIndex(), event->modifiers());
 }
 
-/// A group's name; that of a layer is one of its commands.
+/// The name of a group or an object; that of a layer is one of its commands.
 bool LayerList::renames(const QKeyEvent& event) const
 {
     const app::TreeRow* row = layers_->rowAt(currentIndex());
-    return row && row->kind == app::TreeRow::Kind::Group && event.key() == Qt::Key_F2
-           && event.modifiers() == Qt::NoModifier;
+    using Kind = app::TreeRow::Kind;
+    return row && (row->kind == Kind::Group || row->kind == Kind::Object)
+           && event.key() == Qt::Key_F2 && event.modifiers() == Qt::NoModifier;
 }
 
 /// Right opens, Left closes or goes to what is around it; Enter shows more.
@@ -112,7 +113,8 @@ bool LayerList::treeKey(const QKeyEvent& event)
 bool LayerList::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event)
 {
     const bool opensEditor = trigger == DoubleClicked || trigger == AllEditTriggers;
-    return (!opensEditor || index.data(LayerModel::CountRole).isValid())
+    const app::TreeRow* row = layers_->rowAt(index);
+    return (!opensEditor || (row && row->kind != app::TreeRow::Kind::More))
            && PanelList::edit(index, trigger, event);
 }
 

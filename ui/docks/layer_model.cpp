@@ -5,6 +5,7 @@
 #include "app/commands/set_hidden.h"
 #include "app/document/kept_rows.h"
 #include "app/session/layer_steps.h"
+#include "app/session/name_object.h"
 #include "app/session/units.h"
 #include "ui/look/text.h"
 
@@ -266,6 +267,8 @@ bool LayerModel::change(int row, const QVariant& value, int role)
     const app::ContainerId id = changed.container;
     if (changed.kind == Kind::Object && role == VisibleRole)
         return show(changed.number, value.toBool());
+    if (changed.kind == Kind::Object && role == Qt::EditRole)
+        return app::nameObject(session_, changed.number, value.toString());
     if (!containers.contains(id) || changed.kind == Kind::Object || changed.kind == Kind::More)
         return false;
     const bool isLayer = changed.kind == Kind::Layer;

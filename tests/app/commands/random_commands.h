@@ -6,6 +6,7 @@
 #include "app/commands/change_paths.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
+#include "app/commands/name_object.h"
 #include "app/commands/outline_strokes.h"
 #include "app/commands/rearrange_objects.h"
 #include "app/commands/resize_objects.h"
@@ -262,6 +263,13 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"move-objects",
      [](RandomCommands& r) -> app::UndoCommand* {
          return new app::MoveObjects(r.document_, r.some(), r.random_.point());
+     }},
+    {"name-object",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         const app::ObjectRanges some = r.some();
+         return some.empty() ? nullptr
+                             : new app::NameObject(r.document_, some.first(),
+                                                   QString("name-%1").arg(r.random_.below(1000)));
      }},
     {"set-hidden",
      [](RandomCommands& r) -> app::UndoCommand* {

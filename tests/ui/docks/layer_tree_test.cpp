@@ -376,6 +376,36 @@ private slots:
         clickEye();
         QVERIFY(!panel.session().now().objects()[2].hidden());
     }
+    void anObjectIsNamed()
+    {
+        Panel panel;
+        panel.clickChevron("high");
+        panel.click(".Line 3");
+        panel.key(Qt::Key_F2);
+        auto* editor = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+        QVERIFY(editor);
+        QVERIFY(editor->text().isEmpty()); // it has no name of its own yet
+        QTest::keyClicks(editor, "Front  door");
+        QTest::keyClick(editor, Qt::Key_Return);
+        const auto id = [&](std::size_t object) {
+            return panel.session().now().objects()[object].particulars().id;
+        };
+        QCOMPARE(id(2), QString("Front_door"));
+        QVERIFY(panel.rowOf(".Front_door") >= 0);
+        QCOMPARE(panel.session().history.undoText(), QString("Name Front_door"));
+        const auto rename = [&](const char* row, const QString& name) {
+            return panel.list->model()->setData(panel.at(panel.rowOf(row)), name, Qt::EditRole);
+        };
+        const QSignalSpy refused(&panel.session(), &app::Session::refused);
+        QVERIFY(!rename(".Line 4", "Front_door")); // each name stands once
+        QCOMPARE(refused.count(), 1);
+        QVERIFY(refused[0][0].toString().contains("Front_door"));
+        QVERIFY(!rename(".Front_door", "Front door")); // the same
+        QVERIFY(rename(".Line 4", QString(10000, 'x')));
+        QCOMPARE(id(3).size(), qsizetype(1000));
+        QVERIFY(rename(".Front_door", ""));
+        QVERIFY(panel.rowOf(".Line 3") >= 0);
+    }
     // The drawing is not moved instead.
     void itsKeysStayInTheListAtItsEnds()
     {
