@@ -17,12 +17,12 @@ namespace {
 
 using svg::Refused;
 
-[[noreturn]] void refuse(const QString& why) { throw Refused{why, Refused::wholeFile}; }
+[[noreturn]] void refuseFile(const QString& why) { throw Refused{why, Refused::wholeFile}; }
 
 /// The parts of a file, found in one pass; entities are drawn when all of them are known.
-class Reader {
+class FileReader {
 public:
-    Reader(std::string_view text, const ReadOptions& options)
+    FileReader(std::string_view text, const ReadOptions& options)
         : text_(text), options_(options), records_(text)
     {
     }
@@ -44,7 +44,7 @@ public:
         if (!header_.unit)
             report_.add(losses::noUnit);
         if (const auto fault = faultOf(imported.document.page()))
-            refuse(*fault);
+            refuseFile(*fault);
         imported.report = report_.losses();
         imported.paged = false;
         return imported;
@@ -54,9 +54,9 @@ private:
     void refuseOther() const
     {
         if (text_.empty())
-            refuse(Text::tr("it is empty."));
+            refuseFile(Text::tr("it is empty."));
         if (records_.nextType() != "SECTION" && records_.nextType() != "EOF")
-            refuse(Text::tr("it is no DXF file: its first lines are not 0 and SECTION."));
+            refuseFile(Text::tr("it is no DXF file: its first lines are not 0 and SECTION."));
     }
 
     void readSection(std::string_view name)
@@ -120,7 +120,7 @@ QByteArray bytesOf(QIODevice& in)
     if (!in.isSequential()) {
         if (const QString fault = memoryFault(std::uint64_t(in.size()) * memoryOfByte);
             !fault.isEmpty())
-            refuse(fault);
+            refuseFile(fault);
         return in.readAll();
     }
     QByteArray data;
@@ -130,7 +130,8 @@ QByteArray bytesOf(QIODevice& in)
             break;
         data += more;
         if (std::size_t(data.size()) > mostBytes)
-            refuse(Text::tr("it is larger than %1 bytes. Save it as a file first.").arg(mostBytes));
+            refuseFile(
+                Text::tr("it is larger than %1 bytes. Save it as a file first.").arg(mostBytes));
     }
     return data;
 }
@@ -141,11 +142,12 @@ void refuseDwg(const QByteArray& start)
                        && std::all_of(start.begin() + 2, start.begin() + 6,
                                       [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
     if (isDwg)
-        refuse(Text::tr("it is a DWG file, which Clearcut does not read. Convert it to DXF first, "
-                        "for example with dwg2dxf of LibreDWG or with the ODA File Converter."));
+        refuseFile(
+            Text::tr("it is a DWG file, which Clearcut does not read. Convert it to DXF first, "
+                     "for example with dwg2dxf of LibreDWG or with the ODA File Converter."));
 }
 
-QByteArray textOf(QIODevice& in)
+QByteArray textOfFile(QIODevice& in)
 {
     refuseDwg(in.peek(6));
     QByteArray text = bytesOf(in);
@@ -163,9 +165,9 @@ QByteArray textOf(QIODevice& in)
 Result<Imported> read(QIODevice& in, const ReadOptions& options)
 {
     try {
-        const QByteArray text = textOf(in);
+        const QByteArray text = textOfFile(in);
         return Result<Imported>::of(
-            Reader({text.constData(), std::size_t(text.size())}, options).read());
+            FileReader({text.constData(), std::size_t(text.size())}, options).read());
     } catch (const Refused& refused) {
         return Result<Imported>::failure(
             refused.line > 0 ? Text::tr("line %1 %2").arg(refused.line).arg(refused.why)

@@ -5,7 +5,6 @@
 #include "app/formats/dxf/limits.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace app::dxf {
@@ -20,15 +19,11 @@ double numberOf(std::string_view text)
 
 int integerOf(std::string_view text)
 {
-    int number = 0;
-    const char* const last = text.data() + text.size();
-    if (const auto [end, error] = std::from_chars(text.data(), last, number);
-        error == std::errc{} && end == last)
-        return number;
-    const double real = numberOf(text); // some programs write 1.0
-    if (std::abs(real) > 2e9)
+    constexpr double largest = 2e9;       // so that its negative is a number, too
+    const double number = numberOf(text); // some programs write 1.0
+    if (std::abs(number) > largest)
         throw BadValue{};
-    return int(real);
+    return int(number);
 }
 
 const Pair* Record::find(int code) const

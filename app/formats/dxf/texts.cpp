@@ -20,7 +20,7 @@ TextStyle styleOf(const Entity& entity)
     return found == styles.end() ? TextStyle{} : found->second;
 }
 
-QString textOf(const Entity& entity, std::string_view bytes)
+QString entityText(const Entity& entity, std::string_view bytes)
 {
     const Header& header = entity.drawer.header();
     if (isForeign(bytes, header))
@@ -65,7 +65,7 @@ void drawText(const Entity& entity)
     const glm::dvec3 first = record.point(10), second = record.point(11);
     const int generation =
         record.integer(71, (style.backwards ? backwards : 0) | (style.upsideDown ? upsideDown : 0));
-    TextLine line{plainText(textOf(entity, record.text(1)))};
+    TextLine line{plainText(entityText(entity, record.text(1)))};
     if (refusesText(entity, line.text.size()))
         return;
     line.size = heightOf(entity, style);
@@ -106,7 +106,7 @@ void drawMText(const Entity& entity)
     for (const auto& [code, value] : record.pairs)
         if (code == 1 || code == 3)
             bytes += value;
-    const QStringList text = paragraphs(textOf(entity, bytes));
+    const QStringList text = paragraphs(entityText(entity, bytes));
     if (refusesText(entity, text.join(u'\n').size()))
         return;
     const TextStyle style = styleOf(entity);

@@ -47,6 +47,16 @@ QByteArray formatKeys(bool readable)
     return keys.join(", ");
 }
 
+/// The keys of the drawing formats that can be written.
+QByteArray writableKeys()
+{
+    QByteArrayList keys;
+    for (const app::Format& format : app::formats())
+        if (format.write)
+            keys << QByteArray(format.key.data(), qsizetype(format.key.size()));
+    return keys.join(", ");
+}
+
 /// The keys of all formats of tables: "text or csv or json".
 QByteArray tableKeys()
 {
@@ -204,6 +214,7 @@ private slots:
             QTest::newRow(qPrintable(arguments.join(u' '))) << arguments << sentence;
         };
         const QByteArray all = formatKeys(false), readable = formatKeys(true);
+        const QByteArray writable = writableKeys();
         const QStringList clip{"clip", "A", "-o", "x.svg"};
         row({"clip"}, "An argument is missing: clip INPUT -o OUTPUT");
         row({"clip", "A"}, "Name the output: -o FILE");
@@ -242,14 +253,15 @@ private slots:
         row(clip + QStringList{"--from", "png"},
             "Clearcut does not read files of the type png. It reads " + readable + ";");
         row({"clip", "A", "-o", "x.unknown"},
-            "x.unknown: Clearcut does not write files of the type unknown. It writes " + all + ";");
+            "x.unknown: Clearcut does not write files of the type unknown. It writes " + writable
+                + ";");
         row({"clip", "-", "-o", "x.svg"},
             "clip: - (standard input): give its type with --from and one of " + readable + ".");
         for (const char* command : {"clip", "convert"})
             row({command, "A", "-o", "-"}, command
                                                + QByteArray(": -o - (standard output): give its "
                                                             "type with --to and one of ")
-                                               + all + ".");
+                                               + writable + ".");
         row({"info"}, "An argument is missing: info INPUT");
         row({"algorithms", "x"}, "The argument “x” is one too many");
         row({"algorithms", "--format", "unknown"}, "--format unknown: give " + tableKeys());

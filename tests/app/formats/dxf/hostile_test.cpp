@@ -165,6 +165,11 @@ private slots:
                  (QStringList{"2 damaged entities of the type “LINE”",
                               "4 inserted blocks became separate shapes"}));
     }
+    void largeWholeNumbersAreTold()
+    {
+        QCOMPARE(report(file("0|LINE|11|1|62|-2147483648|0|LINE|11|1|62|1e300|0|LINE|11|1|62|1.0")),
+                 QStringList{"2 damaged entities of the type “LINE”"});
+    }
     void manyLayersBecomeOne()
     {
         QByteArray entities;
