@@ -10,6 +10,7 @@
 #include "app/formats/loss_text.h"
 #include "app/formats/read_open_file.h"
 #include "app/formats/svg/colour.h"
+#include "app/lettering/texts_as_strokes.h"
 #include "app/nodes/join_lines.h"
 
 #include <QFile>
@@ -108,7 +109,11 @@ std::vector<Option> readingOptions()
             {{"unit"},
              "UNIT",
              Text::tr("Unit of a dxf file that does not say it, or says it wrongly: mm, cm, m, in "
-                      "or ft (mm).")}};
+                      "or ft (mm).")},
+            {{"text"},
+             "outlines|strokes",
+             Text::tr("Letters of texts as outlines of their font (the default), or as single "
+                      "strokes for plotters, in the same places.")}};
 }
 
 Option joinOption()
@@ -226,7 +231,7 @@ void joinAsAsked(const ParsedArguments& arguments, Imported& imported)
         imported.rows.clear();
 }
 
-Imported readDrawing(const ParsedArguments& arguments, const QString& path)
+static Imported readAsItIs(const ParsedArguments& arguments, const QString& path)
 {
     const Format& format = readFormatOf(arguments, path);
     if (path != standardStream)
@@ -238,6 +243,15 @@ Imported readDrawing(const ParsedArguments& arguments, const QString& path)
     if (!imported)
         throw Failure{Text::tr("Cannot read standard input: %1").arg(imported.error)};
     return std::move(*imported.value);
+}
+
+Imported readDrawing(const ParsedArguments& arguments, const QString& path)
+{
+    const bool strokes = arguments.choice(QStringLiteral("text"), {"outlines", "strokes"}) == 1;
+    Imported imported = readAsItIs(arguments, path);
+    if (strokes)
+        imported.document.apply(textsAsStrokes(imported.document));
+    return imported;
 }
 
 static std::optional<Colour> backgroundOf(const ParsedArguments& arguments, const Format& format)
