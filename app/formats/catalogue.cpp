@@ -69,7 +69,8 @@ bool Imported::lossy() const
 
 bool mustSaveAs(const std::vector<Loss>& report)
 {
-    return std::ranges::any_of(report, [](const Loss& loss) { return !loss.remark || loss.cut; });
+    return std::ranges::any_of(
+        report, [](const Loss& loss) { return !loss.remark || loss.cut || loss.outlined; });
 }
 
 Result<Imported> readFile(const QString& path, const Format* format, const ReadOptions& options)

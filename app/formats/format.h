@@ -23,10 +23,12 @@ struct Loss {
     qint64 line = 0;   ///< of the file, where it occurred first; 0: none in particular
     /// A remark on something that was cut: saving over the file would lose what is no more there.
     bool cut = false;
+    /// A remark on texts of which only the outlines were kept.
+    bool outlined = false;
 };
 
 /// Whether a drawing with this report must be saved under another name, so that its file keeps what
-/// was lost or cut.
+/// was lost, cut or outlined.
 bool mustSaveAs(const std::vector<Loss>& report);
 
 /// What a file draws only by its name, as an area for clip windows: a clip path.

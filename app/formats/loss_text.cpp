@@ -44,6 +44,9 @@ QString saveAsReason(const std::vector<Loss>& report)
         sentences << lost;
     if (std::ranges::any_of(report, &Loss::cut))
         sentences << Text::tr("What clip paths hide was cut off; only the file still has it.");
+    if (std::ranges::any_of(report, &Loss::outlined))
+        sentences << Text::tr(
+            "Texts became outlines; only the file still has the texts themselves.");
     return sentences.join(u' ');
 }
 

@@ -13,8 +13,13 @@
 namespace app {
 namespace {
 
-QFont lineFontOf(const LineFont& font, double pixelsPerUnit)
+// Gaps between so many letters stay within 2^24 pixels: Qt's lines are shorter than 2^25.
+QFont lineFontOf(const LineFont& font, double pixelsPerUnit, qsizetype letters = 1)
 {
+    const double most = double(1 << 24) / double(std::max<qsizetype>(letters, 1));
+    const auto pixels = [&](double spacing) {
+        return std::clamp(spacing * pixelsPerUnit, -most, most);
+    };
     QFont made(font.family);
     made.setWeight(QFont::Weight(std::clamp(font.weight, 1, 1000)));
     made.setItalic(font.italic);
@@ -22,9 +27,9 @@ QFont lineFontOf(const LineFont& font, double pixelsPerUnit)
     if (font.smallCapitals)
         made.setCapitalization(QFont::SmallCaps);
     if (font.letterSpacing != 0)
-        made.setLetterSpacing(QFont::AbsoluteSpacing, font.letterSpacing * pixelsPerUnit);
+        made.setLetterSpacing(QFont::AbsoluteSpacing, pixels(font.letterSpacing));
     if (font.wordSpacing != 0)
-        made.setWordSpacing(font.wordSpacing * pixelsPerUnit);
+        made.setWordSpacing(pixels(font.wordSpacing));
     made.setHintingPreference(QFont::PreferNoHinting);
     made.setStyleStrategy(QFont::PreferOutline);
     return made;
@@ -35,13 +40,15 @@ double largestSize(std::span<const TextLine::Span> spans)
     double size = 0;
     for (const auto& span : spans)
         size = std::max(size, span.font.size);
-    return size > 0 ? size : 1;
+    return size >= leastFontSize ? size : 1;
 }
 
 } // namespace
 
 LineMeasures measuresOf(const LineFont& font)
 {
+    if (!(font.size >= leastFontSize))
+        return {};
     const double unit = font.size / pixelsPerEm;
     const QRawFont raw = QRawFont::fromFont(lineFontOf(font, 1 / unit));
     return {raw.ascent() * unit, raw.descent() * unit, capitalOf(raw) * unit, raw.xHeight() * unit};
@@ -50,11 +57,15 @@ LineMeasures measuresOf(const LineFont& font)
 TextLine::TextLine(const QString& text, std::span<const Span> spans, bool rightToLeft)
     : unit_(largestSize(spans) / pixelsPerEm), text_(text), layout_(std::make_unique<QTextLayout>())
 {
+    mixed_ =
+        rightToLeft || std::ranges::any_of(text, [](QChar c) {
+            return c.direction() == QChar::DirR || c.direction() == QChar::DirAL || c.isSurrogate();
+        });
     QList<QTextLayout::FormatRange> formats;
     qsizetype from = 0;
     for (const Span& span : spans) {
         QTextCharFormat format;
-        format.setFont(lineFontOf(span.font, 1 / unit_));
+        format.setFont(lineFontOf(span.font, 1 / unit_, text.size()));
         formats << QTextLayout::FormatRange{int(from), int(span.length), format};
         families_ << QRawFont::fromFont(format.font()).familyName();
         from += span.length;

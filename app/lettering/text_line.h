@@ -15,6 +15,8 @@
 
 namespace app {
 
+constexpr double leastFontSize = 1e-100; ///< smaller letters are not laid out
+
 /// The font of a part of a line, as style sheets name it. Lengths are in any unit, the same for
 /// all; letters are as large in it.
 struct LineFont {
@@ -55,10 +57,12 @@ public:
     std::pair<double, double> reach(qsizetype first, qsizetype count) const;
     /// The first character after `index` that is not joined to it, as accents and surrogates are.
     qsizetype nextLetter(qsizetype index) const { return layout_->nextCursorPosition(int(index)); }
+    bool isMixed() const { return mixed_; } ///< whether some of it is written from right to left
     LineLetters letters(qsizetype first, qsizetype count);
 
 private:
     double unit_ = 1; ///< of the result in pixels
+    bool mixed_ = false;
     QString text_;
     std::unique_ptr<QTextLayout> layout_;
     std::map<QString, GlyphOutlines> glyphs_; ///< by family and style

@@ -95,9 +95,8 @@ void TreeDrawer::addBounds(Node node, const Place& place, ElementBounds& bounds)
         if (const auto viewport = inViewport(node, place, {}))
             addBoundsOfChildren(node, *viewport, bounds);
     } else if (name == "switch") {
-        for (const Node child : Children(tree_, node))
-            if (isDrawn(tree_.name(child)) && isWanted(child))
-                return addBoundsWithin(child, place, bounds);
+        if (const Node chosen = chosenOf(node); chosen != noNode)
+            addBoundsWithin(chosen, place, bounds);
     } else if (name == "use") {
         addBoundsOfUse(node, place, bounds);
     } else if (name == "text" && !outlineFonts().isEmpty()) {

@@ -14,8 +14,9 @@ struct LossKind {
     bool remark = false;              ///< kept in another form
     const char* oneInstead = nullptr; ///< kept instead, or required; null: nothing
     const char* manyInstead = nullptr;
-    bool each = false; ///< an entry of the report for each text, not for all together
-    bool cut = false;  ///< a remark on something that was cut (Loss::cut)
+    bool each = false;     ///< an entry of the report for each text, not for all together
+    bool cut = false;      ///< a remark on something that was cut (Loss::cut)
+    bool outlined = false; ///< a remark on texts (Loss::outlined)
 };
 
 namespace losses {
@@ -29,6 +30,7 @@ inline constexpr LossKind outlinedText{
     true,
     nullptr,
     nullptr,
+    false,
     false,
     true};
 inline constexpr LossKind replacedFont{
@@ -170,6 +172,18 @@ inline constexpr LossKind strokeBelow{
 inline constexpr LossKind selfUse{
     QT_TRANSLATE_NOOP("Text", "<use> that contains itself"),
     QT_TRANSLATE_NOOP("Text", "<use> elements that contain themselves")};
+inline constexpr LossKind unknownElement{
+    QT_TRANSLATE_NOOP("Text", "element %1 that SVG does not have was left out"),
+    QT_TRANSLATE_NOOP("Text", "elements %1 that SVG does not have were left out"),
+    true,
+    nullptr,
+    nullptr,
+    true};
+inline constexpr LossKind replacedForeign{
+    QT_TRANSLATE_NOOP("Text", "foreign object was replaced by what the file has in place of it"),
+    QT_TRANSLATE_NOOP("Text",
+                      "foreign objects were replaced by what the file has in place of them"),
+    true};
 inline constexpr LossKind language{
     QT_TRANSLATE_NOOP("Text", "element for another language than English"),
     QT_TRANSLATE_NOOP("Text", "elements for other languages than English")};

@@ -72,8 +72,8 @@ std::vector<Loss> Report::losses() const
         QString what = Text::tr(count == 1 ? kind->one : kind->many);
         if (!texts.isEmpty())
             what = what.arg(texts.join(QStringLiteral(", ")));
-        losses.push_back(
-            {what, count, kind->remark, instead ? Text::tr(instead) : QString(), line, kind->cut});
+        losses.push_back({what, count, kind->remark, instead ? Text::tr(instead) : QString(), line,
+                          kind->cut, kind->outlined});
     }
     return losses;
 }

@@ -9,6 +9,10 @@
 
 namespace app::svg {
 
+constexpr double slack = 0.01; // that is not seen
+
+bool StrokeScale::round() const { return std::abs(across - along) <= slack * along; }
+
 // Along a direction u, lengths are multiplied by |Mu| and widths by |det M| / |Mu|.
 StrokeScale strokeScale(const Matrix& matrix, std::span<const Subpath> transformed)
 {
@@ -21,6 +25,7 @@ StrokeScale strokeScale(const Matrix& matrix, std::span<const Subpath> transform
     for (const Subpath& path : transformed)
         flatten(path, flatteningTolerance(transformed), chords);
     double length = 0, before = 0, least = 0, most = 0;
+    bool upright = true; // whether ends stay at right angles
     for (const Chord& chord : chords) {
         const Point step = chord.segment.b - chord.segment.a;
         const Point own{back->a * step.x + back->c * step.y, back->b * step.x + back->d * step.y};
@@ -29,14 +34,18 @@ StrokeScale strokeScale(const Matrix& matrix, std::span<const Subpath> transform
             continue;
         least = before == 0 ? now / then : std::min(least, now / then);
         most = std::max(most, now / then);
+        const Point across{matrix.a * -own.y + matrix.c * own.x,
+                           matrix.b * -own.y + matrix.d * own.x};
+        upright = upright
+                  && std::abs(across.x * step.x + across.y * step.y)
+                         <= slack * now * std::hypot(across.x, across.y);
         length += now;
         before += then;
     }
     if (!(before > 0 && length > 0))
         return usual;
-    constexpr double slack = 1.01;
     const double along = length / before;
-    return {std::abs(matrix.determinant()) / along, along, most <= least * slack};
+    return {std::abs(matrix.determinant()) / along, along, upright && most <= least * (1 + slack)};
 }
 
 } // namespace app::svg

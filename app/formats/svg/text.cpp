@@ -28,11 +28,13 @@ QString inCase(const QString& text, TextStyle::Case letterCase)
 // The recipe that makes the letters again, in the document's coordinates.
 Recipe recipeOf(const LaidLetters& letters, const LineFont& font, const Matrix& matrix)
 {
-    if (letters.text.trimmed().isEmpty() || !matrix.keepsShapes()
-        || letters.text.size() > longestText)
+    QString text = letters.text;
+    while (text.endsWith(u' '))
+        text.chop(1);
+    if (text.isEmpty() || !matrix.keepsShapes() || text.size() > longestText)
         return {};
     const FontFace face = faceOf(font.family, {font.weight >= 600, font.italic});
-    return TextRecipe{.text = letters.text,
+    return TextRecipe{.text = std::move(text),
                       .font = font.family,
                       .size = measuresOf(font).capital * matrix.scale(),
                       .at = matrix(letters.at),
@@ -69,7 +71,8 @@ std::vector<Subpath> linesOf(const LaidLetters& letters, const LineFont& font, s
 struct TreeDrawer::Texts {
     TextContent content{};
     std::vector<TextRun> runs{};
-    std::vector<Place> places{}; ///< of the runs
+    std::vector<Place> places{};     ///< of the runs
+    std::vector<QString> replaced{}; ///< of the runs: "Arial → DejaVu Sans", or ""
     std::vector<TextFit> fits{};
 };
 
@@ -155,14 +158,20 @@ TextParts TreeDrawer::textParts(Node node, const Place& place, Texts& texts)
     for (const QString& missing : parts.missing)
         report_.add(losses::letter, missing.toStdString());
     report_.add(losses::offPath, parts.leavesPath);
+    for (const LaidLetters& letters : parts.letters) {
+        const QString& replaced = texts.replaced[letters.run];
+        if (!replaced.isEmpty())
+            report_.add(losses::replacedFont, replaced.toStdString());
+        const auto notEvaluated = texts.places[letters.run].properties.text.notEvaluated;
+        if (!notEvaluated.empty())
+            report_.add(losses::property, notEvaluated);
+    }
     return parts;
 }
 
 // `place` is that of the element's content.
 void TreeDrawer::collectText(Node node, const Place& place, const TextSpan& around, Texts& texts)
 {
-    if (!place.properties.displayed)
-        return;
     const auto blanksAs = tree_.attribute(node, "xml:space");
     TextSpan span = around;
     if (!blanksAs.empty())
@@ -171,11 +180,11 @@ void TreeDrawer::collectText(Node node, const Place& place, const TextSpan& arou
     addRun(place, span, texts);
     const std::size_t run = texts.runs.size() - 1;
     for (const Node child : Children(tree_, node))
-        if (tree_.name(child) == textNode)
+        if (tree_.name(child) == textNode && texts.runs[run].font.size >= leastFontSize)
             texts.content.append(inCase(QString::fromUtf8(tree_.attribute(child, textNode)),
                                         place.properties.text.letterCase),
                                  run, span.keepsBlanks || place.properties.text.keepsBlanks);
-        else
+        else if (tree_.name(child) != textNode)
             collectSpan(child, place, span, texts);
     texts.content.place(tree_, node, first, place.lengths, report_);
     const auto fit = tree_.attribute(node, "textLength");
@@ -199,6 +208,8 @@ void TreeDrawer::collectSpan(Node node, const Place& around, TextSpan span, Text
     const Matrix matrix = around.matrix;
     Place place = inside(node, around);
     place.matrix = matrix; // parts of a text have no transforms
+    if (!place.properties.displayed)
+        return;
     reportEffects(place.properties, false);
     span.raised += place.properties.baselineShift;
     if (name == "textPath" && !turnToPath(node, place, span))
@@ -237,9 +248,14 @@ bool TreeDrawer::turnToPath(Node node, const Place& place, TextSpan& span)
 void TreeDrawer::addRun(const Place& place, const TextSpan& span, Texts& texts)
 {
     const Properties& p = place.properties;
-    if (!p.text.notEvaluated.empty())
-        report_.add(losses::property, p.text.notEvaluated);
-    TextRun run{.font = lineFont(p),
+    const NamedFont& font = fontOf(p);
+    TextRun run{.font = {.family = font.family,
+                         .weight = p.text.weight,
+                         .italic = p.text.italic,
+                         .smallCapitals = p.text.smallCapitals,
+                         .size = p.fontSize,
+                         .letterSpacing = p.text.letterSpacing,
+                         .wordSpacing = p.text.wordSpacing},
                 .anchor = p.text.anchor,
                 .rightToLeft = p.text.rightToLeft,
                 .path = span.path,
@@ -250,24 +266,16 @@ void TreeDrawer::addRun(const Place& place, const TextSpan& span, Texts& texts)
         run.lowered += depthOfBaseline(baseline, measuresOf(run.font));
     texts.runs.push_back(std::move(run));
     texts.places.push_back(place);
+    texts.replaced.push_back(
+        font.missing.isEmpty() ? QString() : font.missing + QStringLiteral(" → ") + font.family);
 }
 
-LineFont TreeDrawer::lineFont(const Properties& p)
+const NamedFont& TreeDrawer::fontOf(const Properties& p)
 {
     const auto [at, isNew] = fonts_.try_emplace(std::string(p.text.families));
     if (isNew)
         at->second = namedFont(QString::fromUtf8(p.text.families));
-    const NamedFont& font = at->second;
-    if (!font.missing.isEmpty())
-        report_.add(losses::replacedFont,
-                    (font.missing + QStringLiteral(" → ") + font.family).toStdString());
-    return {.family = font.family,
-            .weight = p.text.weight,
-            .italic = p.text.italic,
-            .smallCapitals = p.text.smallCapitals,
-            .size = p.fontSize,
-            .letterSpacing = p.text.letterSpacing,
-            .wordSpacing = p.text.wordSpacing};
+    return at->second;
 }
 
 } // namespace app::svg

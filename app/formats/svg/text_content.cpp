@@ -9,7 +9,7 @@
 namespace app::svg {
 namespace {
 
-constexpr std::string_view separators = " \t\r\n\f,";
+constexpr std::string_view listSeparators = " \t\r\n\f,";
 
 struct LetterList {
     std::string_view name;
@@ -60,7 +60,7 @@ void TextContent::place(const Tree& tree, Node node, qsizetype first, const Leng
         for (qsizetype i = first; i < text_.size(); ++i) {
             if (text_[i].isLowSurrogate())
                 continue;
-            const auto one = takeWord(rest, separators);
+            const auto one = takeWord(rest, listSeparators);
             if (one.empty() && !(list.repeats && !std::isnan(last)))
                 break;
             if (!one.empty()) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace app::svg {
@@ -113,10 +114,10 @@ private:
 
     /// Characters that stay together, as far as they have the same style and no place of their own.
     struct Piece {
-        qsizetype first, end; ///< in the chunk
-        Point shift;          ///< by dx and dy
-        double turn;          ///< degrees
-        double left, right;   ///< on the line
+        qsizetype first, end;       ///< in the chunk
+        Point shift;                ///< by dx and dy
+        double turn;                ///< degrees
+        double left = 0, right = 0; ///< on the line
     };
 
     std::vector<Piece> piecesOf(const Chunk& chunk, const TextLine& line, double stretch) const
@@ -131,20 +132,33 @@ private:
             if (i > 0)
                 shift += Point{orZero(place.dx), orZero(place.dy)};
             const double turn = orZero(place.rotate);
-            const auto [left, right] = line.reach(i, next - i);
             const bool apart = pieces.empty() || single || turn != 0 || pieces.back().turn != 0
                                || shift != pieces.back().shift
                                || content_.runOf(chunk.first + i)
                                       != content_.runOf(chunk.first + pieces.back().first);
             if (apart)
-                pieces.push_back({i, next, shift, turn, left * stretch, right * stretch});
-            Piece& piece = pieces.back();
-            piece.end = next;
-            piece.left = std::min(piece.left, left * stretch);
-            piece.right = std::max(piece.right, right * stretch);
+                pieces.push_back({i, next, shift, turn});
+            pieces.back().end = next;
             i = next;
         }
+        for (Piece& piece : pieces)
+            measure(piece, line, stretch);
         return pieces;
+    }
+
+    // Where a piece lies on its line. Both directions of writing may be in it.
+    static void measure(Piece& piece, const TextLine& line, double stretch)
+    {
+        const auto whole = line.reach(piece.first, piece.end - piece.first);
+        piece.left = whole.first;
+        piece.right = whole.second;
+        for (qsizetype i = piece.first; line.isMixed() && i < piece.end; ++i) {
+            const auto [left, right] = line.reach(i, 1);
+            piece.left = std::min(piece.left, left);
+            piece.right = std::max(piece.right, right);
+        }
+        piece.left *= stretch;
+        piece.right *= stretch;
     }
 
     // How far the chunk begins to the right of its position.
@@ -212,12 +226,32 @@ private:
             transform(path, where * Matrix{stretch, 0, 0, 1, 0, 0});
         const bool plain = piece.turn == 0 && stretch == 1 && letters.ofOneFont
                            && letters.missing.isEmpty() && !runAt(chunk.first).path;
-        QString text = content_.text().mid(chunk.first + piece.first, piece.end - piece.first);
-        while (text.endsWith(u' '))
-            text.chop(1);
-        parts_.letters.push_back(
-            {std::move(letters.paths), content_.runOf(chunk.first + piece.first),
-             plain ? text : QString(), where({piece.left, 0}), piece.right - piece.left});
+        const QString text =
+            content_.text().mid(chunk.first + piece.first, piece.end - piece.first);
+        LaidLetters laid{std::move(letters.paths), content_.runOf(chunk.first + piece.first),
+                         plain ? text : QString(), where({piece.left, 0}),
+                         piece.right - piece.left};
+        if (!joins(laid))
+            parts_.letters.push_back(std::move(laid));
+    }
+
+    // Joins letters to those before them, where each letter has a place of its own that is near
+    // its usual one.
+    bool joins(LaidLetters& laid)
+    {
+        constexpr double near = 0.3; // of the font's size
+        if (parts_.letters.empty() || laid.text.isEmpty())
+            return false;
+        LaidLetters& last = parts_.letters.back();
+        const double size = runs_[laid.run].font.size;
+        const double gap = laid.at.x - (last.at.x + last.width);
+        if (last.text.isEmpty() || last.run != laid.run || last.at.y != laid.at.y
+            || !(std::abs(gap) <= near * size) || last.text.size() + laid.text.size() > longestText)
+            return false;
+        std::ranges::move(laid.paths, std::back_inserter(last.paths));
+        last.text += laid.text;
+        last.width = laid.at.x + laid.width - last.at.x;
+        return true;
     }
 
     const TextContent& content_;

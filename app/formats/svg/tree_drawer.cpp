@@ -8,6 +8,7 @@
 #include "app/formats/svg/recipe_text.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
+#include "app/formats/svg/undrawn.h"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +18,7 @@
 namespace app::svg {
 namespace {
 
-// Elements that other programs draw and Clearcut cannot keep. All elements not listed draw nothing
-// themselves.
+// Elements that other programs draw and Clearcut cannot keep.
 struct Foreign {
     std::string_view element;
     const LossKind* loss;
@@ -145,6 +145,8 @@ void TreeDrawer::draw(Node node, const Place& around)
         throw Refused{
             Text::tr("exceeds the limit of %1 elements repeated by <use>.").arg(mostRepeated)};
     const auto name = tree_.name(node);
+    if (!isDrawn(name) && !isUndrawn(name))
+        report_.add(losses::unknownElement, name);
     if (!isDrawn(name) || !isWanted(node))
         return;
     if (const Row* row = find(name))
@@ -289,14 +291,30 @@ void TreeDrawer::drawSwitch(Node node, const Place& around)
 {
     const Place place = inside(node, around);
     reportEffects(place.properties, true);
-    bool found = false;
+    if (const Node chosen = chosenOf(node); chosen != noNode)
+        draw(chosen, place);
+}
+
+// The child of a <switch> that is drawn: the first whose conditions hold; a later one in place of
+// one that cannot be kept, such as a foreign object. noNode: none.
+Node TreeDrawer::chosenOf(Node node)
+{
+    Node chosen = noNode;
+    bool kept = false;
     for (const Node child : Children(tree_, node)) {
-        if (!isDrawn(tree_.name(child)))
+        const auto name = tree_.name(child);
+        if (!isDrawn(name))
             continue;
         report_.turnTo(tree_.line(child));
-        if (isWanted(child) && !std::exchange(found, true))
-            draw(child, place);
+        if (!isWanted(child) || kept)
+            continue;
+        const bool keeps = find(name) != nullptr;
+        report_.add(losses::replacedForeign, chosen != noNode && keeps);
+        if (chosen == noNode || keeps)
+            chosen = child;
+        kept = keeps;
     }
+    return chosen;
 }
 
 void TreeDrawer::drawOutline(Node node, const Place& around)
@@ -352,7 +370,9 @@ void TreeDrawer::addShape(Drawn drawn, const Place& place, Particulars particula
         paints_.style(properties, place.opacity, scale, {paths, place.matrix, place.lengths});
     if (properties.longDashes)
         report_.add(losses::longDashes);
-    report_.add(losses::unevenStroke, object.style.stroke && !scale.even);
+    report_.add(losses::unevenStroke,
+                object.style.stroke
+                    && !(scale.even && (scale.round() || object.style.cap == Cap::Butt)));
     object.hidden = place.hidden || !properties.visible;
     if (properties.strokeBelow && object.style.fill && object.style.stroke) {
         report_.add(losses::strokeBelow);

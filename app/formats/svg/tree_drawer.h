@@ -72,6 +72,7 @@ private:
     bool isGroup(Node node) const;
     void drawContainer(Node node, Container::Kind kind, Place place, const Place& around);
     void drawSwitch(Node node, const Place& around);
+    Node chosenOf(Node node);
     void drawNestedSvg(Node node, const Place& around);
     void drawUse(Node node, const Place& around);
     void drawOutline(Node node, const Place& around);
@@ -141,7 +142,7 @@ private:
     void collectSpan(Node node, const Place& around, TextSpan span, Texts& texts);
     bool turnToPath(Node node, const Place& place, TextSpan& span);
     void addRun(const Place& place, const TextSpan& span, Texts& texts);
-    LineFont lineFont(const Properties& properties);
+    const NamedFont& fontOf(const Properties& properties);
 
     std::optional<Colour> patternColour(Node pattern, const Box& box, const Lengths& lengths);
     std::optional<Colour> tileColour(Node pattern, const Matrix& matrix, const Lengths& lengths);

@@ -479,9 +479,13 @@ private slots:
         QCOMPARE(
             readText(drawing("<path d='M0 0h1h1' marker='url(#e)'/>")).value->report.at(0).instead,
             "their lines are kept");
-        QCOMPARE(
-            reportOf("<title/><desc/><metadata/><defs><text/></defs><unknown><text/></unknown>"),
-            "");
+        QCOMPARE(reportOf("<title/><desc/><metadata/><defs><text/></defs>"), "");
+        QCOMPARE(reportOf("<unknown><text/></unknown>"),
+                 "1 element “unknown” that SVG does not have was left out");
+        QCOMPARE(reportOf("<switch><foreignObject/><path d='M0 0h1'/></switch>"),
+                 "1 foreign object was replaced by what the file has in place of it");
+        QCOMPARE(reportOf("<switch><foreignObject/><path systemLanguage='xx'/></switch>"),
+                 "1 element for another language than English; 1 foreign object");
         QCOMPARE(reportOf("<switch><text/><path d='M0 0'/></switch>"), "1 text");
         QCOMPARE(reportOf("<g xmlns='http://other.example'><text/></g>"), "");
     }

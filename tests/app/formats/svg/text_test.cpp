@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include <cmath>
+#include <thread>
 
 #include "tests/app/formats/svg/text.h"
 #include "tests/test_class.h"
@@ -143,6 +144,11 @@ private slots:
               boundsOf(text("", "H")).max.x - advance);
         QCOMPARE(countOf(text("", "   ")), std::size_t(0));
         QCOMPARE(countOf(text("", "")), std::size_t(0));
+        QCOMPARE(countOf("<text font-size='0'>a<tspan font-size='5'>b</tspan></text>"),
+                 std::size_t(1));
+        QVERIFY(readText(drawing("<text letter-spacing='1e30' word-spacing='-1e30' "
+                                 "font-size='1e-300'>a b</text>")));
+        QVERIFY(readText(drawing("<text letter-spacing='1e30' font-size='9'>a b</text>")));
     }
 
     void onAPath()
@@ -180,6 +186,10 @@ private slots:
         QVERIFY(turned->face.bold && !turned->mirrored);
         QVERIFY(recipeOf(text("transform='scale(-1,1)'", "Hello"))->mirrored);
         QVERIFY(!recipeOf(text("transform='skewX(20)'", "Hello")));
+        const auto placedOneByOne = recipeOf(text("x='10 16.5 22 28.2'", "Word"));
+        QVERIFY(placedOneByOne);
+        QCOMPARE(placedOneByOne->text, "Word");
+        QVERIFY(documentOf(text("display='none'", "one")).objects()[0].hidden());
     }
 
     // The recipe makes the letters that the file has.
@@ -248,6 +258,21 @@ private slots:
         const Bounds plain = boundsOf(text("x='10' y='20'", "HHHHH"));
         QNEAR(bounds.middle(), plain.middle());
         QNEAR(bounds.width(), 2 * plain.width());
+    }
+
+    // The editor opens files in the background.
+    void onOtherThreads()
+    {
+        const QByteArray elements = text("", "one") + "<text font-family='serif'>two</text>";
+        const QByteArray expected = textOf(documentOf(elements));
+        std::vector<QByteArray> found(4);
+        std::vector<std::thread> threads;
+        for (QByteArray& each : found)
+            threads.emplace_back([&] { each = textOf(documentOf(elements)); });
+        for (std::thread& thread : threads)
+            thread.join();
+        for (const QByteArray& each : found)
+            QVERIFY(each == expected);
     }
 
     void longTextsEnd()
