@@ -16,8 +16,9 @@ namespace {
 /// Lines end as in the program; a tab is four spaces, other control characters are left out.
 QString plain(const QString& text)
 {
-    QString plain;
-    for (const QChar c : QString(text).replace(QStringLiteral("\r\n"), QStringLiteral("\n")))
+    QString plain, from = text;
+    from.replace(QStringLiteral("\r\n"), QStringLiteral("\n"));
+    for (const QChar c : from)
         if (c == u'\n' || c == u'\r' || c == QChar::LineSeparator || c == QChar::ParagraphSeparator)
             plain += u'\n';
         else if (c == u'\t')
