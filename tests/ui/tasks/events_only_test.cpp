@@ -63,8 +63,28 @@ private slots:
              {"auto& canvas = window_.window->canvas();", "canvas.settle();",
               "window_.window->canvas().view().toScreen(p)", "window_.window->files().wait();",
               "window_.window->session().now().objects()", "window_.window->session().now().page()",
-              "window_.window->files().lastExport()",
-              "file.value->document.objects()", "app/document/paper.h", "the session is only read"}) {
+              "window_.window->files().lastExport()", "file.value->document.objects()",
+              "app/document/paper.h", "the session is only read"}) {
+            QVERIFY2(source.contains(plumbing), plumbing);
+            source.remove(plumbing);
+        }
+        static const QRegularExpression other(
+            "session|history|Commands?\\b|setTool|setSnap|setText|setValue|setChecked|"
+            "setCurrent|setPlainText|trigger|\\bdocument\\b|canvas|files\\(|click\\(\\)|"
+            "toggle\\(|\\bpush\\(|\\bselect\\(|\\bapply\\(|\\bload\\(|\\bopen\\(\\w*[fF]ile");
+        const auto found = other.match(source);
+        QVERIFY2(!found.hasMatch(), qPrintable(found.captured()));
+    }
+    // The same of the player with several drawings; it also prepares files and the clipboard.
+    void theDeskPlayerUsesNothingButEvents()
+    {
+        QString source = read("desk_player.h");
+        for (const char* const plumbing :
+             {"shown().canvas().focusProxy()", "shown().canvas().view().toScreen(from)",
+              "shown().canvas().settle()", "shown().session().now()", "shown().files().name()",
+              "shown().files().open(file)", ".files().busy()", "read.value->document",
+              "setText(QStringLiteral(\"Wall\"))", ".value->document",
+              "drawn.apply(app::adding("}) {
             QVERIFY2(source.contains(plumbing), plumbing);
             source.remove(plumbing);
         }

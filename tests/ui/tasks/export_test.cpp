@@ -65,6 +65,14 @@ private slots:
              press("The selected objects, whole"), press("Nothing behind the drawing"), enter()});
         checkPlayer(steps, faultOfPicture);
     }
+    void logoDocument()
+    {
+        Steps steps = rectangle("40,50");
+        add(steps, another("#80,90"));
+        add(steps, {key("V"), click({50, 50}), key("Ctrl+E"), key("Right"),
+                    press("The selected objects, whole"), enter()});
+        checkPlayer(steps, faultOfPage);
+    }
     void layerDocument()
     {
         Steps steps = rectangle("40,50");

@@ -6,7 +6,7 @@ namespace tasks_pages_test {
 
 using namespace tasks;
 
-// Tasks 41 and 42 of README.md. The last row of a table is the page: its corners, its size on
+// Tasks of README.md about the page. The last row of a table is the page: its corners, its size on
 // paper.
 class PagesTest : public QObject {
     Q_OBJECT
@@ -49,6 +49,21 @@ private slots:
                        press("Portrait")},
                       {{{{20, 30}, {120, 30}, {120, 70}, {20, 70}}, true},
                        {{{5, 15}, {75, 145}, {70, 130}}}});
+    }
+    void pageToWindows()
+    {
+        checkWithPage(
+            {key("W"), type("20,30"), enter(), type("60"), tab(), type("40"), enter(),
+             key("Ctrl+Alt+P"), clickField("Left margin"), key("Ctrl+A"), type("5"),
+             press("Fits the page around the visible clip windows, and adds the margins")},
+            {{{{15, 25}, {85, 75}, {70, 50}}}});
+    }
+    void ownSize()
+    {
+        checkWithPage({key("Ctrl+Alt+P"), clickField("Width of the page"), key("Ctrl+A"),
+                       type("200"), clickField("Height of the page"), key("Ctrl+A"), type("100"),
+                       enter()},
+                      {{{{0, 0}, {200, 100}, {200, 100}}}});
     }
 };
 

@@ -8,6 +8,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPointer>
@@ -42,6 +43,7 @@ class Player {
 public:
     Player()
     {
+        window_.answers->save = printed(); // where a person prints to
         window_.show();
         auto& canvas = window_.window->canvas();
         canvas.settle();
@@ -111,15 +113,26 @@ public:
         QApplication::sendEvent(ruler, &event);
         QTest::mouseRelease(ruler, Qt::LeftButton, {}, at);
     }
-    /// Clicks the button with this tooltip.
+    /// Clicks the button with this tooltip, or with this text.
     void press(const QString& toolTip)
     {
         showAll();
         for (auto* button : window_.window->findChildren<QAbstractButton*>())
-            if (button->isVisible() && button->toolTip() == toolTip) {
+            if (button->isVisible()
+                && (button->toolTip() == toolTip || button->text() == toolTip)) {
                 QTest::mouseClick(button, Qt::LeftButton);
+                window_.window->files().wait();
                 return showAll();
             }
+    }
+    /// Opens the list of this name.
+    void clickList(const QString& name)
+    {
+        showAll();
+        for (auto* list : window_.window->findChildren<QComboBox*>())
+            if (list->isVisible() && list->accessibleName() == name)
+                QTest::mouseClick(list, Qt::LeftButton);
+        showAll();
     }
     /// Clicks the field of this name.
     void clickField(const QString& name)
@@ -182,6 +195,9 @@ public:
         const auto last = window_.window->files().lastExport();
         return last ? last->file : QString();
     }
+
+    /// The file of the last print.
+    QString printed() const { return window_.path("printed.pdf"); }
 
 private:
     static void append(Table& table, const app::Objects& all)
@@ -305,6 +321,10 @@ inline Step press(const QString& toolTip)
 inline Step clickField(const QString& name)
 {
     return {"field " + name, [name](Player& player) { player.clickField(name); }};
+}
+inline Step clickList(const QString& name)
+{
+    return {"list " + name, [name](Player& player) { player.clickList(name); }};
 }
 inline Step clickRow(const QString& list, const QString& row, int fromRight = 0)
 {
