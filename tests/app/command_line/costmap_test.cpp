@@ -62,7 +62,7 @@ private slots:
         row("neither", {"-o", "-"}, "either -a");
         row("both", {"-a", "md", "--cheapest", "-o", "-"}, "either -a");
         row("no output", {"-a", "md"}, "-o");
-        row("ending", {"-a", "md", "-o", "map.unknown"}, app::costMapEndings());
+        row("ending", {"-a", "md", "-o", "map.unknown"}, app::endingsOf(app::costMapFormats()));
         row("algorithm", {"-a", "nobody", "-o", "-"}, "There is no algorithm “nobody”");
         row("misprint", {"-a", "md-step-2", "-o", "-"}, "--measure time");
         row("point", {"-a", "md", "--from", "1,nan", "-o", "-"}, "two numbers");

@@ -263,7 +263,8 @@ private slots:
         QCOMPARE(table.rows.front()[2].toDouble(), double(map.values.front()));
         QBuffer out;
         out.open(QIODevice::WriteOnly);
-        QVERIFY(!kindOf(costMapFormats(), u"CSV")->write(map, costMapLook(Ground::Light), out));
+        QVERIFY(
+            !app::kindOf(costMapFormats(), u"CSV")->write(map, costMapLook(Ground::Light), out));
         QCOMPARE(out.data().count('\n'), 13);
         QVERIFY(writeCostMap(map, "/nowhere/map.unknown", costMapLook(Ground::Light))
                     ->contains(".png"));
