@@ -360,7 +360,7 @@ QStringList losses(const std::vector<Loss>& report)
 void refuseLossInPlace(const ParsedArguments& arguments, const Imported& imported,
                        const QString& input, const Output& output)
 {
-    if (imported.lossy() && arguments.has(QStringLiteral("in-place"))
+    if (mustSaveAs(imported.report) && arguments.has(QStringLiteral("in-place"))
         && sameFile(output.path, input))
         throw Failure{Text::tr("Cannot overwrite %1: it has content that would be lost (%2). "
                                "Give another name with -o.")

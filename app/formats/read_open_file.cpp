@@ -10,8 +10,10 @@ namespace app {
 
 Result<Imported> readOpenFile(QFileDevice& file, const Format& format, const ReadOptions& options)
 {
-    // A read error is treated as the end of the file.
+    // A read error is treated as the end of the file. After a part, only the next read says it.
     auto result = format.readWith ? format.readWith(file, options) : format.read(file);
+    if (result && !file.isSequential())
+        file.getChar(nullptr);
     if (file.error() == QFileDevice::NoError)
         return result;
     return Result<Imported>::failure(

@@ -7,7 +7,7 @@
 
 namespace app {
 
-static QString nameIn(const Document& document, const ExportArea& area)
+static QString ownName(const Document& document, const ExportArea& area)
 {
     const auto& windows = document.windows().list;
     if (area.part == ExportPart::Window && area.window < windows.size())
@@ -21,7 +21,7 @@ QString exportName(const ExportArea& area, const Document& document)
 {
     constexpr qsizetype longest = 60; // characters; a layer may be called by a page of text
     const QString allowed = QStringLiteral(" ._()");
-    QString name = nameIn(document, area).left(longest);
+    QString name = ownName(document, area).left(longest);
     for (QChar& c : name)
         if (!c.isLetterOrNumber() && !allowed.contains(c))
             c = u'-';

@@ -115,7 +115,7 @@ private:
 };
 
 // A pipe is read to its end, within mostBytes: it may never end.
-QByteArray bytesOf(QIODevice& in)
+QByteArray allOf(QIODevice& in)
 {
     if (!in.isSequential()) {
         if (const QString fault = memoryFault(std::uint64_t(in.size()) * memoryOfByte);
@@ -150,7 +150,7 @@ void refuseDwg(const QByteArray& start)
 QByteArray textOfFile(QIODevice& in)
 {
     refuseDwg(in.peek(6));
-    QByteArray text = bytesOf(in);
+    QByteArray text = allOf(in);
     if (isBinary(text))
         return textOfBinary(text);
     if (text.startsWith("\xef\xbb\xbf"))

@@ -20,7 +20,7 @@ namespace app::geojson {
 namespace {
 
 constexpr double largestNumber = 1e300; // keeps sums and differences finite
-constexpr double usualWidth = 1e-3;     // of a stroke, as a part of the drawing's size
+constexpr double shareOfSize = 1e-3;    // of a stroke, as a part of the drawing's size
 constexpr double usualSize = 300;       // millimetres, of a map in degrees
 constexpr int deepestCollection = 100;
 constexpr std::uint64_t memoryForByte = 8; // of the file, while it is read
@@ -41,7 +41,7 @@ struct FoundLosses {
     int heights = 0, properties = 0, empty = 0;
 };
 
-std::optional<Colour> colourOf(const QJsonObject& properties, const QString& name)
+std::optional<Colour> simpleColour(const QJsonObject& properties, const QString& name)
 {
     const QString text = properties[name].toString();
     auto colour = text.isEmpty() ? std::nullopt : svg::parseColour(text.toStdString());
@@ -175,8 +175,8 @@ private:
         losses_.properties += !std::ranges::all_of(properties.keys(), isKnown);
         Drawn drawn;
         drawn.layer = properties[QStringLiteral("layer")].toString().toStdString();
-        drawn.style.fill = colourOf(properties, QStringLiteral("fill"));
-        drawn.style.stroke = colourOf(properties, QStringLiteral("stroke"));
+        drawn.style.fill = simpleColour(properties, QStringLiteral("fill"));
+        drawn.style.stroke = simpleColour(properties, QStringLiteral("stroke"));
         if (!drawn.style.stroke && !drawn.style.fill)
             drawn.style.stroke = Colour{};
         const double width = properties[QStringLiteral("stroke-width")].toDouble(-1);
@@ -199,7 +199,7 @@ private:
     double widthOfStrokes() const
     {
         const Point size = box_ ? box_->max - box_->min : Point{0, 0};
-        const double width = std::max(size.x, size.y) * usualWidth;
+        const double width = std::max(size.x, size.y) * shareOfSize;
         return width > 0 && std::isfinite(width) ? width : 1;
     }
 

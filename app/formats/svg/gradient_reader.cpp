@@ -36,7 +36,7 @@ Properties propertiesOf(const Tree& tree, Node node, Styles& styles, Report& rep
     return properties;
 }
 
-Rgba colourOf(const Properties& p)
+Rgba stopColour(const Properties& p)
 {
     const Colour colour = faded(
         p.stopColour.kind == Paint::Kind::Current ? p.colour : p.stopColour.colour, p.stopOpacity);
@@ -100,7 +100,7 @@ GradientStops gradientStops(const Tree& tree, Node node, Styles& styles, Report&
                 around = propertiesOf(tree, each, styles, report);
             const double given = parseOpacity(tree.attribute(child, "offset")).value_or(0);
             const double at = stops.empty() ? given : std::max(given, stops.back().at);
-            stops.push_back({at, colourOf(styles.of(child, *around, {}))});
+            stops.push_back({at, stopColour(styles.of(child, *around, {}))});
         }
         if (!stops.empty())
             break;

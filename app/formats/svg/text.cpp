@@ -26,7 +26,7 @@ QString inCase(const QString& text, TextStyle::Case letterCase)
 }
 
 // The recipe that makes the letters again, in the document's coordinates.
-Recipe recipeOf(const LaidLetters& letters, const LineFont& font, const Matrix& matrix)
+Recipe textRecipe(const LaidLetters& letters, const LineFont& font, const Matrix& matrix)
 {
     QString text = letters.text;
     while (text.endsWith(u' '))
@@ -119,7 +119,7 @@ bool TreeDrawer::hasLines(const TextParts& parts, const Texts& texts)
 void TreeDrawer::drawLetters(const LaidLetters& letters, const Texts& texts, Particulars own)
 {
     const Place& place = texts.places[letters.run];
-    own.recipe = recipeOf(letters, texts.runs[letters.run].font, place.matrix);
+    own.recipe = textRecipe(letters, texts.runs[letters.run].font, place.matrix);
     addShape({placed({letters.paths}, place.matrix)}, place, std::move(own));
 }
 

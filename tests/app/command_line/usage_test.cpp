@@ -604,7 +604,7 @@ private slots:
     {
         writeText(path("three.csv"), "0,0,9,9\n1,2,3,4\n-5,-5,-6,-6\n");
         const auto run = clearcut({"bench", "-a", "exact", "--runs", "1", "--window", "0,0,5,5",
-                                   "--scene", "file:" + path("three.csv")});
+                                   "-v", "--scene", "file:" + path("three.csv")});
         QCOMPARE(run.err, "");
         QVERIFY2(run.out.contains("lines:      3\n"), run.out.constData());
         const auto lines = run.out.split('\n');
