@@ -192,8 +192,8 @@ seek(n, near, f, far):
     reject  #reject
 place(t, s):
   in = t < 1,  x = in ? x1 + t*dx : x2,  y = in ? y1 + t*dy : y2  #point
-  x = s & LEFT ? xmin : s & RIGHT ? xmax : min(max(x, xmin), xmax)  #sideX
-  y = s & BOTTOM ? ymin : s & TOP ? ymax : min(max(y, ymin), ymax)  #sideY
+  x = s & LEFT ? xmin : s & RIGHT ? xmax : held(x)  #sideX
+  y = s & BOTTOM ? ymin : s & TOP ? ymax : held(y)  #sideY
 )";
     /// The differences from a to b and to each edge of the window.
     template <class T, glm::length_t N>

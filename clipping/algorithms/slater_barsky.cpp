@@ -253,10 +253,10 @@ repeat
   else
     if c == 3: reject  #missesAcross
     else if c == 1 or c == 7  #fromAcross
-      x[a] = held(xmax - e/dy),  y[a] = yIn  #atEntry
+      x[a] = max(xmax - e/dy, xmin),  y[a] = yIn  #atEntry
       if x[b] <= xmax and (up ? y[b] <= yOut : y[b] >= yOut): accept  #endsAcross
     else if c == 4  #toAcross
-      x[b] = held(xmax - e/dy),  y[b] = yOut  #atExit
+      x[b] = max(xmax - e/dy, xmin),  y[b] = yOut  #atExit
       accept the line from x[1], y[1] to x[2], y[2]  #acceptAcross
     e = up ? e - dx*(ymax-ymin) : e + dx*(ymax-ymin)  #nextError
     c = up ? c+3 : c-3  #nextCell

@@ -6,8 +6,10 @@
 #include "clipping/exact/turn.h"
 #include "clipping/outcode.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace app::formulas {
 
@@ -20,13 +22,28 @@ unsigned bitPattern(double value)
     return unsigned(value);
 }
 
+using Number = clipping::Counted<double>;
+
+/// Computes a value as the library does, and adds what that costs.
+template <class Compute>
+double counting(clipping::OperationCounts* cost, const Compute& compute)
+{
+    const auto before = std::exchange(clipping::operations, {});
+    const double value = compute();
+    const auto own = std::exchange(clipping::operations, before);
+    if (cost)
+        add(*cost, own);
+    return value;
+}
+
 /// The nearest coordinate of the window.
 double heldCoordinate(double value, const Scope& scope)
 {
     if (scope.axis < 0)
         throw Unreadable("held(...) is no coordinate here");
     const clipping::Window w = scope.window();
-    return clipping::clamped(value, w.min[scope.axis], w.max[scope.axis]);
+    return clipping::clamped(Number(value), Number(w.min[scope.axis]), Number(w.max[scope.axis]))
+        .value();
 }
 
 /// Whether a point is beyond the edge of the step.
@@ -35,8 +52,8 @@ bool isBeyondEdge(const glm::dvec2& p, const Scope& scope)
     if (scope.edge == clipping::Edge::NoEdge)
         throw Unreadable("beyond(...) is of no edge here");
     const auto axis = clipping::axisOf(scope.edge);
-    const double level = clipping::levelOf(scope.edge, scope.window());
-    return scope.edge == clipping::lowerEdge(axis) ? p[axis] < level : p[axis] > level;
+    const Number level(clipping::levelOf(scope.edge, scope.window())), coordinate(p[axis]);
+    return scope.edge == clipping::lowerEdge(axis) ? coordinate < level : coordinate > level;
 }
 
 /// The edge at which the variable got its value; NoEdge for anything else.
@@ -54,12 +71,15 @@ double sign(std::partial_ordering order)
 double valueOfFunction(const Expression& e, const Scope& scope, clipping::OperationCounts* cost)
 {
     const double first = valueOf(e.parts[0], scope, cost);
+    auto* const own = operatesOnNumbers(e, scope) ? cost : nullptr;
     if (e.name == "abs")
-        return std::abs(first);
+        return counting(own, [&] { return clipping::magnitude(Number(first)).value(); });
     if (e.name == "sign")
-        return sign(std::partial_ordering(first <=> 0.0));
+        return counting(own, [&] { return sign(Number(first) <=> Number(0)); });
     if (e.name == "held")
-        return heldCoordinate(first, scope);
+        return counting(own, [&] { return heldCoordinate(first, scope); });
+    if (cost) // the most that they can cost: it depends on whether floating point decides
+        add(*cost, mostCostOf(e));
     const clipping::Edge edge = edgeAt(e.parts[0], scope);
     if (e.name == "atEdge")
         return edge != clipping::Edge::NoEdge;
@@ -80,12 +100,15 @@ double valueOfFunction(const Expression& e, const Scope& scope, clipping::Operat
     if (e.name == "side")
         return clipping::turnInIntegers({x1, y1}, {x2, y2}, {x1, y1}, {first, second});
     if (e.name == "beyond")
-        return isBeyondEdge({first, second}, scope);
+        return counting(own, [&] { return double(isBeyondEdge({first, second}, scope)); });
     if (e.name == "min")
-        return std::min(first, second);
+        return counting(own, [&] { return std::min(Number(first), Number(second)).value(); });
     if (e.name == "max")
-        return std::max(first, second);
-    return double(clipping::outcodeOf(glm::dvec2{first, second}, scope.window()));
+        return counting(own, [&] { return std::max(Number(first), Number(second)).value(); });
+    return counting(own, [&] {
+        return double(clipping::outcodeOf(clipping::counted(glm::dvec2{first, second}),
+                                          clipping::counted(scope.window())));
+    });
 }
 
 /// Of two operands that are both looked at.
@@ -134,7 +157,7 @@ int slotOf(const Expression& variable, const Scope& scope)
 double valueOf(const Expression& e, const Scope& scope, clipping::OperationCounts* cost)
 {
     const auto part = [&](std::size_t i) { return valueOf(e.parts[i], scope, cost); };
-    if (cost && !isCopy(e))
+    if (cost && !isCopy(e) && e.kind != Kind::Function)
         add(*cost, operationOf(e, scope));
     switch (e.kind) {
     case Kind::Number:

@@ -40,12 +40,20 @@ int slotOf(const Expression& variable, const Scope& scope);
 /// The value in double, from left to right; a truth is 1 or 0. Throws Unreadable. Adds to `cost`,
 /// unless it is null, what the evaluation costs, as the text shows it: an operand that decides ends
 /// an `and` or an `or`, a choice costs its condition and the alternative that it takes, and the
-/// arguments of a function are evaluated.
+/// arguments of a function are evaluated. A function that compares costs what the library's own
+/// does with these arguments; one that computes (callsArithmetic), the most that it can.
 double valueOf(const Expression& e, const Scope& scope, clipping::OperationCounts* cost = nullptr);
 
 /// The outermost operation of a formula. Only operations on numbers are counted, not those on
 /// outcodes, indices and truths.
 clipping::OperationCounts operationOf(const Expression& e, const Scope& scope);
+
+/// Whether an operand of a formula is a coordinate or computed from coordinates.
+bool operatesOnNumbers(const Expression& e, const Scope& scope);
+
+/// The most that a function's own computing costs, without its arguments: nothing for one that only
+/// compares.
+clipping::OperationCounts mostCostOf(const Expression& function);
 
 /// A number that reads back as it is.
 std::string text(double value);

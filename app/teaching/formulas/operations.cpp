@@ -65,6 +65,8 @@ bool isNumber(const Expression& e, const Scope& scope)
     case Kind::Choice:
         return is(e.parts[1]) || is(e.parts[2]);
     case Kind::Function:
+        if (e.name == "min" || e.name == "max")
+            return std::ranges::any_of(e.parts, is);
         return e.name != "outcode" && e.name != "order" && e.name != "side" && e.name != "beyond"
                && e.name != "sign" && e.name != "atEdge" && e.name != "vertical";
     default:
@@ -76,11 +78,20 @@ bool isNumber(const Expression& e, const Scope& scope)
 
 clipping::OperationCounts operationOf(const Expression& e, const Scope& scope)
 {
-    const bool counts =
-        e.kind == Kind::Function || std::ranges::any_of(e.parts, [&](const Expression& part) {
-            return isNumber(part, scope);
-        });
+    const bool counts = e.kind == Kind::Function || operatesOnNumbers(e, scope);
     return counts ? ownCostOf(e) : clipping::OperationCounts{};
+}
+
+bool operatesOnNumbers(const Expression& e, const Scope& scope)
+{
+    return std::ranges::any_of(e.parts,
+                               [&](const Expression& part) { return isNumber(part, scope); });
+}
+
+clipping::OperationCounts mostCostOf(const Expression& function)
+{
+    const auto cost = ownCostOf(function);
+    return cost.additions > 0 ? cost : clipping::OperationCounts{};
 }
 
 bool callsFunction(const Expression& e)

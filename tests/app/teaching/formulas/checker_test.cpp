@@ -53,7 +53,7 @@ std::vector<Step> goodRun()
          {{"i", 1}, {"xi", -3}, {"moved", 0}, {"p", 16}, {"q", -3}},
          {1, 1, 1, 0, 0}},
         {What::Test, false, "", "asks", given, Edge::NoEdge, {}, {1, 1, 1, 1, 0}},
-        {What::Cut, false, "", "ends", cut, Edge::Left, {}, {2, 1, 1, 3, 0}},
+        {What::Cut, false, "", "ends", cut, Edge::Left, {}, {2, 1, 1, 4, 0}},
         {What::Let, false, "left", "hold", held, Edge::NoEdge, {{"nx", -1}}, {2, 1, 1, 9, 0}},
         {What::Accept, false, "", "accept", held, Edge::NoEdge, {}, {2, 1, 1, 9, 0}},
     };

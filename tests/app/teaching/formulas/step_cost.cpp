@@ -3,9 +3,9 @@
 
 namespace app::formulas {
 
-/// A step costs exactly what the formulas of its line show, which it evaluates. Functions hide some
-/// operations, and a turned plane some changes of sign: of those the step costs at most what they
-/// can cost.
+/// A step costs exactly what the formulas of its line show, which it evaluates. Functions that
+/// compute hide some operations, and a turned plane some changes of sign: of those the step costs
+/// at most what they can cost.
 void StepCheck::cost(const clipping::Step& step)
 {
     const auto& most = line_->mostOperations;
@@ -25,10 +25,10 @@ void StepCheck::cost(const clipping::Step& step)
     check(cost_.divisions, step.cost.divisions, shown_.divisions, most.divisions, computes,
           "divisions");
     check(cost_.negations, step.cost.negations, shown_.negations, most.negations,
-          line_->comparesInFunctions || line_->turns, "negations");
+          computes || line_->turns, "negations");
     if (!line_->holds)
         check(cost_.comparisons, step.cost.comparisons, shown_.comparisons, most.comparisons,
-              line_->comparesInFunctions || line_->comparesLess, "comparisons");
+              computes || line_->comparesLess, "comparisons");
     if (step.cost.comparisons - cost_.comparisons < shown_.comparisons)
         comparedLess_[std::size_t(line_ - code_.lines.data())] = 1;
     cost_ = step.cost;
