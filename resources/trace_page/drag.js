@@ -149,7 +149,7 @@
 
   const moved = steps => ({
     count: steps.length,
-    id: () => 'own',
+    number: () => 'moved',
     line: i => steps[i].line,
     place: i => fill(words.place, i + 1, steps.length),
     sentence: i => sentenceOf(steps, i),

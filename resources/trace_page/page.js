@@ -11,7 +11,7 @@ const page = (() => {
   // The steps of the page as it was written. drag.js has others.
   const written = {
     count: articles.length,
-    id: i => articles[i].id,
+    number: i => articles[i].id.replace('step-', ''),
     line: i => Number(articles[i].dataset.line),
     place: i => articles[i].dataset.place,
     sentence: i => articles[i].querySelector('.sentence').textContent,
@@ -41,7 +41,7 @@ const page = (() => {
     find('next').disabled = find('last').disabled = at === steps.count - 1;
     if (!tells) return;
     heard.textContent = steps.place(at) + '. ' + steps.sentence(at);
-    try { history.replaceState(null, '', '#' + steps.id(at)); } catch { /* not everywhere */ }
+    try { history.replaceState(null, '', '#' + steps.number(at)); } catch { /* not everywhere */ }
   }
 
   function use(others, step, tells) {
@@ -76,6 +76,7 @@ const page = (() => {
     if (Math.abs(x) > 40 && Math.abs(x) > 2 * Math.abs(y)) show(ways[x < 0 ? 'next' : 'back'](), true);
   }, { passive: true });
 
-  use(written, Math.max(articles.findIndex(one => '#' + one.id === location.hash), 0), false);
+  // The number of a step is no id on the page, so that the browser does not scroll there.
+  use(written, Math.max(articles.findIndex((_, i) => '#' + written.number(i) === location.hash), 0), false);
   return { use, written, step: () => at };
 })();
