@@ -103,7 +103,7 @@ private slots:
                  head(brief.out));
         for (const char* part : {"processor", "compiler", "-v"})
             QVERIFY2(brief.out.contains(part), part);
-        for (const char* part : {"checksum", "spread", "seed", "low"})
+        for (const char* part : {"checksum", "spread", "seed", "Low to high"})
             QVERIFY2(!brief.out.contains(part) && verbose.out.contains(part), part);
         for (const auto& line : notEmpty(brief.out.split('\n')))
             QVERIFY2(QString::fromUtf8(line).size() <= 80, line);
