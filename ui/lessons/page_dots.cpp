@@ -13,6 +13,7 @@ namespace ui {
 namespace {
 
 constexpr int diameter = 8, farthest = 14, nearest = 10; // from centre to centre
+constexpr int mostNeeded = 76; // pixels for any number of pages: more dots are smaller
 
 } // namespace
 
@@ -32,7 +33,11 @@ void PageDots::show(std::size_t page, std::size_t pages)
 
 QSize PageDots::sizeHint() const { return sizeWith(farthest); }
 
-QSize PageDots::minimumSizeHint() const { return sizeWith(nearest); }
+QSize PageDots::minimumSizeHint() const
+{
+    const QSize size = sizeWith(nearest);
+    return {std::min(size.width(), mostNeeded), size.height()};
+}
 
 QSize PageDots::sizeWith(int distance) const
 {
@@ -47,9 +52,10 @@ void PageDots::paintEvent(QPaintEvent*)
     painter.setPen(Qt::NoPen);
     const double room = double(width() - diameter) / std::max(1, pages_ - 1);
     const double distance = std::min(room, double(farthest));
+    const double size = pages_ < 2 ? diameter : std::min(double(diameter), distance - 2);
     for (int i = 0; i < pages_; ++i) {
         painter.setBrush(i == page_ ? look.selection : look.border);
-        painter.drawEllipse(QRectF(i * distance, (height() - diameter) / 2.0, diameter, diameter));
+        painter.drawEllipse(QRectF(i * distance, (height() - size) / 2.0, size, size));
     }
 }
 
