@@ -54,10 +54,8 @@ inline constexpr std::string_view oneSide =
     "it is held at one edge only: by the sign of e, rounding cannot put it beyond the other";
 
 inline const std::vector<ComparesLess> comparesLess{
-    {"slater-barsky", clipping::Form::Corrected, "x[a] = xmin,  y[a] = held(yOut + e/dx)",
-     oneSide},
-    {"slater-barsky", clipping::Form::Corrected, "x[b] = xmax,  y[b] = held(yOut + e/dx)",
-     oneSide},
+    {"slater-barsky", clipping::Form::Corrected, "x[a] = xmin,  y[a] = held(yOut + e/dx)", oneSide},
+    {"slater-barsky", clipping::Form::Corrected, "x[b] = xmax,  y[b] = held(yOut + e/dx)", oneSide},
     {"slater-barsky", clipping::Form::Corrected, "if (e == 0 ? col == 0 : up ? e < 0 : e > 0)",
      threeWays},
     {"sobkow-pospisil-yang", clipping::Form::Corrected,
