@@ -45,17 +45,43 @@ double largestSize(std::span<const TextLine::Span> spans)
 
 } // namespace
 
-LineMeasures measuresOf(const LineFont& font)
+const LineFonts::Known& LineFonts::known(const LineFont& font)
 {
-    if (!(font.size >= leastFontSize))
-        return {};
-    const double unit = font.size / pixelsPerEm;
-    const QRawFont raw = QRawFont::fromFont(lineFontOf(font, 1 / unit));
-    return {raw.ascent() * unit, raw.descent() * unit, capitalOf(raw) * unit, raw.xHeight() * unit};
+    const auto [at, isNew] = known_.try_emplace(
+        QStringLiteral("%1 %2 %3").arg(font.family).arg(font.weight).arg(font.italic));
+    if (isNew) {
+        const QRawFont raw = QRawFont::fromFont(
+            lineFontOf({font.family, font.weight, font.italic, false, 1}, pixelsPerEm));
+        constexpr double unit = 1.0 / pixelsPerEm;
+        at->second = {{raw.ascent() * unit, raw.descent() * unit, capitalOf(raw) * unit,
+                       raw.xHeight() * unit},
+                      raw.familyName()};
+    }
+    return at->second;
 }
 
-TextLine::TextLine(const QString& text, std::span<const Span> spans, bool rightToLeft)
-    : unit_(largestSize(spans) / pixelsPerEm), text_(text), layout_(std::make_unique<QTextLayout>())
+LineMeasures LineFonts::measuresOf(const LineFont& font)
+{
+    const LineMeasures& unit = known(font).ofUnit;
+    return {unit.ascent * font.size, unit.descent * font.size, unit.capital * font.size,
+            unit.xHeight * font.size};
+}
+
+const QString& LineFonts::familyOf(const LineFont& font) { return known(font).family; }
+
+GlyphOutlines& LineFonts::glyphsOf(const QRawFont& font)
+{
+    return glyphs_[QStringLiteral("%1 %2 %3 %4 %5")
+                       .arg(font.familyName(), font.styleName())
+                       .arg(font.pixelSize())
+                       .arg(font.weight())
+                       .arg(int(font.style()))];
+}
+
+TextLine::TextLine(const QString& text, std::span<const Span> spans, bool rightToLeft,
+                   LineFonts& fonts)
+    : unit_(largestSize(spans) / pixelsPerEm), text_(text),
+      layout_(std::make_unique<QTextLayout>()), fonts_(&fonts)
 {
     mixed_ =
         rightToLeft || std::ranges::any_of(text, [](QChar c) {
@@ -67,7 +93,7 @@ TextLine::TextLine(const QString& text, std::span<const Span> spans, bool rightT
         QTextCharFormat format;
         format.setFont(lineFontOf(span.font, 1 / unit_, text.size()));
         formats << QTextLayout::FormatRange{int(from), int(span.length), format};
-        families_ << QRawFont::fromFont(format.font()).familyName();
+        families_ << fonts.familyOf(span.font);
         from += span.length;
     }
     QTextOption option(Qt::AlignLeft | Qt::AlignAbsolute);
@@ -110,8 +136,7 @@ LineLetters TextLine::letters(qsizetype first, qsizetype count)
     for (const QGlyphRun& run : line.glyphRuns(int(first), int(count))) {
         const QRawFont font = run.rawFont();
         result.ofOneFont = result.ofOneFont && families_.contains(font.familyName());
-        GlyphOutlines& glyphs =
-            glyphs_[font.familyName() + font.styleName() + QString::number(font.pixelSize())];
+        GlyphOutlines& glyphs = fonts_->glyphsOf(font);
         const auto indexes = run.glyphIndexes();
         const auto positions = run.positions();
         for (qsizetype i = 0; i < indexes.size(); ++i) {

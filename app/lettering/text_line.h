@@ -32,7 +32,25 @@ struct LineFont {
 struct LineMeasures {
     double ascent = 0, descent = 0, capital = 0, xHeight = 0;
 };
-LineMeasures measuresOf(const LineFont& font);
+
+/// What is known of fonts, shared by the lines of a drawing: looking it up takes longer than laying
+/// out a line. To be used in one thread.
+class LineFonts {
+public:
+    LineMeasures measuresOf(const LineFont& font);
+    const QString& familyOf(const LineFont& font); ///< that Qt really takes
+    GlyphOutlines& glyphsOf(const QRawFont& font);
+
+private:
+    struct Known {
+        LineMeasures ofUnit; ///< for letters of size 1
+        QString family;
+    };
+    const Known& known(const LineFont& font);
+
+    std::map<QString, Known> known_;
+    std::map<QString, GlyphOutlines> glyphs_;
+};
 
 /// The letters of a part of a line, y down, from the start of the line's baseline.
 struct LineLetters {
@@ -50,7 +68,7 @@ public:
         qsizetype length;
         LineFont font;
     };
-    TextLine(const QString& text, std::span<const Span> spans, bool rightToLeft);
+    TextLine(const QString& text, std::span<const Span> spans, bool rightToLeft, LineFonts& fonts);
 
     double width() const;
     /// Where these characters begin and end, from the left end of the line.
@@ -65,8 +83,8 @@ private:
     bool mixed_ = false;
     QString text_;
     std::unique_ptr<QTextLayout> layout_;
-    std::map<QString, GlyphOutlines> glyphs_; ///< by family and style
-    QStringList families_;                    ///< that were asked for
+    LineFonts* fonts_;
+    QStringList families_; ///< that were asked for
 };
 
 } // namespace app

@@ -26,7 +26,8 @@ QString inCase(const QString& text, TextStyle::Case letterCase)
 }
 
 // The recipe that makes the letters again, in the document's coordinates.
-Recipe textRecipe(const LaidLetters& letters, const LineFont& font, const Matrix& matrix)
+Recipe textRecipe(const LaidLetters& letters, const LineFont& font, double capital,
+                  const Matrix& matrix)
 {
     QString text = letters.text;
     while (text.endsWith(u' '))
@@ -36,7 +37,7 @@ Recipe textRecipe(const LaidLetters& letters, const LineFont& font, const Matrix
     const FontFace face = faceOf(font.family, {font.weight >= 600, font.italic});
     return TextRecipe{.text = std::move(text),
                       .font = font.family,
-                      .size = measuresOf(font).capital * matrix.scale(),
+                      .size = capital * matrix.scale(),
                       .at = matrix(letters.at),
                       .turn = std::atan2(matrix.b, matrix.a),
                       .mirrored = matrix.determinant() < 0,
@@ -119,7 +120,8 @@ bool TreeDrawer::hasLines(const TextParts& parts, const Texts& texts)
 void TreeDrawer::drawLetters(const LaidLetters& letters, const Texts& texts, Particulars own)
 {
     const Place& place = texts.places[letters.run];
-    own.recipe = textRecipe(letters, texts.runs[letters.run].font, place.matrix);
+    const LineFont& font = texts.runs[letters.run].font;
+    own.recipe = textRecipe(letters, font, lineFonts_.measuresOf(font).capital, place.matrix);
     addShape({placed({letters.paths}, place.matrix)}, place, std::move(own));
 }
 
@@ -152,7 +154,7 @@ TextParts TreeDrawer::textParts(Node node, const Place& place, Texts& texts)
     for (TextFit& fit : texts.fits)
         fit.end = std::min(fit.end, count);
     std::erase_if(texts.fits, [](const TextFit& fit) { return fit.end <= fit.first; });
-    const TextParts parts = laidOut(texts.content, texts.runs, texts.fits);
+    const TextParts parts = laidOut(texts.content, texts.runs, texts.fits, lineFonts_);
     for (int i = 0; i < parts.unfitted; ++i)
         report_.add(losses::attribute, "textLength");
     for (const QString& missing : parts.missing)
@@ -263,7 +265,7 @@ void TreeDrawer::addRun(const Place& place, const TextSpan& span, Texts& texts)
     const auto baseline = p.alignment.empty() ? p.text.baseline : p.alignment;
     run.lowered = -span.raised;
     if (!baseline.empty())
-        run.lowered += depthOfBaseline(baseline, measuresOf(run.font));
+        run.lowered += depthOfBaseline(baseline, lineFonts_.measuresOf(run.font));
     texts.runs.push_back(std::move(run));
     texts.places.push_back(place);
     texts.replaced.push_back(

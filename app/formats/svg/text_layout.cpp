@@ -29,8 +29,8 @@ struct Chunk {
 class TextSetter {
 public:
     TextSetter(const TextContent& content, const std::vector<TextRun>& runs,
-               const std::vector<TextFit>& fits)
-        : content_(content), runs_(runs), fits_(fits), fitted_(fits.size())
+               const std::vector<TextFit>& fits, LineFonts& fonts)
+        : content_(content), runs_(runs), fits_(fits), fonts_(fonts), fitted_(fits.size())
     {
     }
 
@@ -71,7 +71,7 @@ private:
             ++spans.back().length;
         }
         return {content_.text().mid(chunk.first, chunk.end - chunk.first), spans,
-                runAt(chunk.first).rightToLeft};
+                runAt(chunk.first).rightToLeft, fonts_};
     }
 
     void setChunk(const Chunk& chunk)
@@ -257,6 +257,7 @@ private:
     const TextContent& content_;
     const std::vector<TextRun>& runs_;
     const std::vector<TextFit>& fits_;
+    LineFonts& fonts_;
     std::vector<bool> fitted_;
     TextParts parts_;
     Point pen_{};
@@ -297,9 +298,9 @@ double depthOfBaseline(std::string_view line, const LineMeasures& measures)
 }
 
 TextParts laidOut(const TextContent& content, const std::vector<TextRun>& runs,
-                  const std::vector<TextFit>& fits)
+                  const std::vector<TextFit>& fits, LineFonts& fonts)
 {
-    return TextSetter(content, runs, fits).set();
+    return TextSetter(content, runs, fits, fonts).set();
 }
 
 } // namespace app::svg

@@ -49,6 +49,6 @@ struct TextParts {
 
 /// Lays out all characters. Needs a QGuiApplication.
 TextParts laidOut(const TextContent& content, const std::vector<TextRun>& runs,
-                  const std::vector<TextFit>& fits);
+                  const std::vector<TextFit>& fits, LineFonts& fonts);
 
 } // namespace app::svg

@@ -185,6 +185,7 @@ private:
     std::size_t repeated_ = 0;       ///< number of elements drawn through <use>
     std::size_t bounded_ = 0;        ///< number of elements of which boxes were computed
     std::size_t letters_ = 0;        ///< number of letters of texts
+    LineFonts lineFonts_;
     std::unordered_map<std::string, NamedFont> fonts_; ///< by lists of families
     bool hasConditions_ = false;  ///< whether the file names languages or extensions
     std::vector<bool> idIsTaken_; ///< for the first element with an id: whether the id is in use
