@@ -12,7 +12,7 @@ Result<Imported> readOpenFile(QFileDevice& file, const Format& format, const Rea
 {
     // A read error is treated as the end of the file. After a part, only the next read says it.
     auto result = format.readWith ? format.readWith(file, options) : format.read(file);
-    if (result && !file.isSequential())
+    if (!file.isSequential())
         file.getChar(nullptr);
     if (file.error() == QFileDevice::NoError)
         return result;
