@@ -2,8 +2,6 @@
 #include "app/teaching/formulas/evaluate.h"
 
 #include "app/teaching/formulas/code.h"
-#include "clipping/clamped.h"
-#include "clipping/exact/turn.h"
 #include "clipping/outcode.h"
 
 #include <algorithm>
@@ -42,8 +40,8 @@ double heldCoordinate(double value, const Scope& scope)
     if (scope.axis < 0)
         throw Unreadable("held(...) is no coordinate here");
     const clipping::Window w = scope.window();
-    return clipping::clamped(Number(value), Number(w.min[scope.axis]), Number(w.max[scope.axis]))
-        .value();
+    const Number v(value), low(w.min[scope.axis]), high(w.max[scope.axis]);
+    return (v < low ? low : v > high ? high : v).value();
 }
 
 /// Whether a point is beyond the edge of the step.
@@ -68,12 +66,29 @@ double sign(std::partial_ordering order)
     return std::is_lt(order) ? -1 : std::is_gt(order) ? 1 : 0;
 }
 
+Number magnitudeOf(Number v) { return v < Number(0) ? -v : v; }
+
+/// Of a function that the library computes exactly.
+double exactValue(const Expression& e, const Scope& scope, double first, double second)
+{
+    if (!scope.exact)
+        throw Unreadable(e.name + "(...) is computed exactly, by the library alone");
+    const clipping::Segment ends{{scope.value(0), scope.value(1)},
+                                 {scope.value(2), scope.value(3)}};
+    if (e.name == "yAt")
+        return scope.exact->crossing(ends, first);
+    if (e.name == "xAt")
+        return scope.exact->crossing({{ends.a.y, ends.a.x}, {ends.b.y, ends.b.x}}, first);
+    return e.name == "order" ? scope.exact->order(ends, first, second)
+                             : scope.exact->side(ends, {first, second});
+}
+
 double valueOfFunction(const Expression& e, const Scope& scope, clipping::OperationCounts* cost)
 {
     const double first = valueOf(e.parts[0], scope, cost);
     auto* const own = operatesOnNumbers(e, scope) ? cost : nullptr;
     if (e.name == "abs")
-        return counting(own, [&] { return clipping::magnitude(Number(first)).value(); });
+        return counting(own, [&] { return magnitudeOf(Number(first)).value(); });
     if (e.name == "sign")
         return counting(own, [&] { return sign(Number(first) <=> Number(0)); });
     if (e.name == "held")
@@ -89,16 +104,9 @@ double valueOfFunction(const Expression& e, const Scope& scope, clipping::Operat
         return clipping::axisOf(edge) == 0;
     if (e.name == "edge")
         return clipping::levelOf(edge, scope.window());
-    const double x1 = scope.value(0), y1 = scope.value(1), x2 = scope.value(2), y2 = scope.value(3);
-    if (e.name == "yAt")
-        return clipping::crossingInIntegers<double>(x1, y1, x2, y2, first);
-    if (e.name == "xAt")
-        return clipping::crossingInIntegers<double>(y1, x1, y2, x2, first);
-    const double second = valueOf(e.parts[1], scope, cost);
-    if (e.name == "order")
-        return sign(clipping::orderInIntegers(x1, y1, x2, y2, first, second));
-    if (e.name == "side")
-        return clipping::turnInIntegers({x1, y1}, {x2, y2}, {x1, y1}, {first, second});
+    const double second = e.parts.size() > 1 ? valueOf(e.parts[1], scope, cost) : 0;
+    if (e.name == "yAt" || e.name == "xAt" || e.name == "order" || e.name == "side")
+        return exactValue(e, scope, first, second);
     if (e.name == "beyond")
         return counting(own, [&] { return double(isBeyondEdge({first, second}, scope)); });
     if (e.name == "min")

@@ -6,6 +6,14 @@
 
 namespace app::formulas {
 
+/// What the code calls order, yAt and xAt, and side: the library keeps its exact arithmetic for
+/// itself, so it is lent. Each takes the given ends first.
+struct ExactFunctions {
+    int (*order)(const clipping::Segment& ends, double x, double y); ///< −1, 0 or 1
+    double (*crossing)(const clipping::Segment& ends, double x);     ///< the y at x, rounded once
+    int (*side)(const clipping::Segment& ends, const glm::dvec2& point); ///< 1: left of the line
+};
+
 /// What formulas are evaluated with.
 class Scope {
 public:
@@ -25,6 +33,7 @@ public:
     std::string text() const; ///< every known variable with its value
 
     clipping::Edge edge = clipping::Edge::NoEdge; ///< that the step is about
+    const ExactFunctions* exact = nullptr;        ///< without them their formulas are Unreadable
     int axis = -1; ///< of the coordinate that gets the value; -1: it is none
 
 private:

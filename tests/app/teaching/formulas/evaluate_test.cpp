@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/app/teaching/formulas/checker.h"
+#include "tests/app/teaching/formulas/exact_functions.h"
 #include "tests/test_class.h"
 
 namespace teaching_formulas_evaluate_test {
@@ -28,6 +29,7 @@ struct Given {
         const int i = names.slotOf("i"), indexed = names.slotOf("x[2]"), u = names.slotOf("u"),
                   n = names.slotOf("n");
         scope.emplace(names, segment, window);
+        scope->exact = &exactFunctions;
         scope->set(i, 2), scope->set(indexed, 9), scope->set(u, 0.5), scope->set(n, 5);
         scope->setEdge(u, clipping::Edge::Right);
         scope->setIsNumber(n, false), scope->setIsNumber(i, false);
@@ -131,6 +133,17 @@ private slots:
         QCOMPARE(found.additions, std::uint64_t(additions));
         QCOMPARE(found.multiplications, std::uint64_t(multiplications));
         QCOMPARE(found.comparisons, std::uint64_t(comparisons));
+    }
+
+    void exactFunctionsAreLent()
+    {
+        for (const char* formula : {"yAt(1)", "xAt(2)", "order(1, 2)", "side(1, 2)"}) {
+            Given given(formula);
+            app::formulas::valueOf(given.expression, *given.scope);
+            given.scope->exact = nullptr;
+            QVERIFY_THROWS_EXCEPTION(Unreadable,
+                                     app::formulas::valueOf(given.expression, *given.scope));
+        }
     }
 
     void errors_data()

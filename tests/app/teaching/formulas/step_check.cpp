@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "tests/app/teaching/formulas/exact_functions.h"
+
 namespace app::formulas {
 
 using clipping::What;
@@ -29,6 +31,7 @@ StepCheck::StepCheck(const Code& code, std::vector<char>& evaluated,
     : code_(code), evaluated_(evaluated), comparedLess_(comparedLess),
       scope_(code.names, segment, window), left_(segment), ends_(coordinates(segment))
 {
+    scope_.exact = &exactFunctions;
     setEnds();
 }
 
