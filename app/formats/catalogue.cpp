@@ -80,7 +80,7 @@ Result<Imported> readFile(const QString& path, const Format* format, const ReadO
     };
     if (const auto fault = faultToOpen(path))
         return failure(*fault);
-    format = format ? format : formatOfFile(path);
+    format = format ? format : formatToRead(path);
     if (!format || !format->read)
         return failure(Text::tr("Clearcut does not read this type of file. It reads %1.")
                            .arg(typesWith(&Format::read)));
