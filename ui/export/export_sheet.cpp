@@ -126,8 +126,10 @@ void ExportSheet::follow()
         button->setEnabled(live_->error().isEmpty());
     const auto& made = live_->made();
     const QString name = app::latin(app::formatOf(live_->choice()).key).toUpper();
-    emit summed(made ? Text::tr("%1, %2 paths").arg(name, app::countText(made->facts.paths))
-                     : name);
+    const std::size_t paths = made ? made->facts.paths : 0;
+    const QString written = paths == 1 ? Text::tr("%1, 1 path").arg(name)
+                                       : Text::tr("%1, %2 paths").arg(name, app::countText(paths));
+    emit summed(made ? written : name);
 }
 
 /// What was last chosen for this format; the area stays.

@@ -45,18 +45,15 @@ std::span<const ToolInfo> tools()
             "zoom", Text::tr("Zoom"),
             Text::tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
             QKeySequence("Z"), makeZoomTool, ToolInfo::Group::Same, ToolInfo::Options::View},
-        ToolInfo{
-            "line", Text::tr("Line"),
-            Text::tr(
-                "Click points, or type a length, Tab, an angle, Enter. Shift: 15° steps, Esc: next "
-                "line."),
-            QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
-        ToolInfo{
-            "polyline", Text::tr("Polyline"),
-            Text::tr(
-                "Click corners, or type a length, Tab, an angle, Enter. Ctrl+Z: corner back, Esc: "
-                "end."),
-            QKeySequence("P"), makePolylineTool},
+        ToolInfo{"line", Text::tr("Line"),
+                 Text::tr("Click points, or type x,y, Enter, length, Tab, angle, Enter. Shift: "
+                          "15°, Esc: next "
+                          "line."),
+                 QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
+        ToolInfo{"polyline", Text::tr("Polyline"),
+                 Text::tr("Click corners, or type x,y, Enter, length, Tab, angle, Enter. Ctrl+Z: "
+                          "back, Esc: end."),
+                 QKeySequence("P"), makePolylineTool},
         ToolInfo{"pen", Text::tr("Pen"),
                  Text::tr("Click: corner, drag: symmetric, S: smooth, Alt: cusp. Click the start: "
                           "close. Esc: "
@@ -71,16 +68,15 @@ std::span<const ToolInfo> tools()
             "pencil", Text::tr("Pencil"),
             Text::tr("Drag to draw freehand. Then Enter, a tolerance, Enter: how smooth it is."),
             QKeySequence("B"), makePencilTool},
+        ToolInfo{"rectangle", Text::tr("Rectangle"),
+                 Text::tr("Drag, or type x,y, Enter, width, Tab, height, Tab, corner radius, "
+                          "Enter. Shift: square."),
+                 QKeySequence("R"), makeRectangleTool},
         ToolInfo{
-            "rectangle", Text::tr("Rectangle"),
-            Text::tr(
-                "Drag, or type width, Tab, height, Tab, corner radius, Enter. Shift: square, Alt: "
-                "centre."),
-            QKeySequence("R"), makeRectangleTool},
-        ToolInfo{"ellipse", Text::tr("Ellipse"),
-                 Text::tr("Drag, or type a width, Tab, a height, Enter. Shift: circle, Alt: from "
-                          "the centre."),
-                 QKeySequence("E"), makeEllipseTool},
+            "ellipse", Text::tr("Ellipse"),
+            Text::tr("Drag, or type x,y, Enter, width, Tab, height, Enter. Shift: circle, Alt: "
+                     "centre."),
+            QKeySequence("E"), makeEllipseTool},
         ToolInfo{
             "polygon", Text::tr("Polygon"),
             Text::tr(

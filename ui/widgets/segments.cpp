@@ -5,6 +5,7 @@
 #include "ui/look/look_icon.h"
 #include "ui/widgets/spoken_role.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
@@ -111,7 +112,11 @@ Segments::Segments(const QString& name, const QStringList& choices, QWidget* par
     }
     setFocusPolicy(Qt::TabFocus); // with the proxy: so that setTabOrder() moves all buttons
     setFocusProxy(group_.button(0));
-    connect(&group_, &QButtonGroup::idClicked, this, &Segments::picked);
+    connect(&group_, &QButtonGroup::idClicked, this, [this](int id) {
+        if (isAncestorOf(QApplication::focusWidget())) // no ring beside what was clicked
+            group_.button(id)->setFocus();
+        emit picked(id);
+    });
     choose(0);
 }
 
