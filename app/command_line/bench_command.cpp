@@ -64,7 +64,7 @@ std::vector<Table> runsTables(const Study& study)
     return tables;
 }
 
-/// What a person reads first of each trial on a scene; the paper's layouts as they are.
+/// briefTimesTable() of each trial on a scene; the paper's layouts have no shorter form.
 std::vector<Table> briefTables(const Study& study, Against against)
 {
     std::vector<Table> tables;

@@ -21,8 +21,8 @@ struct Option {
     QString meaning;
 };
 
-/// What a command needs of a QGuiApplication: fonts for texts in drawings, which need no display,
-/// or painting, perhaps with OpenGL.
+/// Whether a command needs a QGuiApplication: for the fonts of texts in drawings, without a
+/// display, or to paint pictures, perhaps with OpenGL.
 enum class Paints : std::uint8_t { Nothing, Letters, Pictures };
 
 /// One row of the catalogue of commands: `clearcut KEY …`. Data goes to stdout, everything else to

@@ -41,8 +41,8 @@ QString batchText(const Record& record);
 /// A row for each variant: its times, its rank, and its findings.
 Table timesTable(const Record& record, const Measure& measure);
 
-/// What a person reads first of timesTable(), the fastest variant first: rank, time, ratio and lost
-/// lines; of the facts, lines, runs, processor and compiler.
+/// The columns of timesTable() that matter most, the fastest variant first: rank, time, ratio and
+/// lost lines; of the facts, lines, runs, processor and compiler.
 Table briefTimesTable(const Record& record, const Measure& measure);
 
 /// A row for each variant, measure and run: seconds for all lines.

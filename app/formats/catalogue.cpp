@@ -62,11 +62,6 @@ const Format* formatOfFile(const QString& path)
     return findFormat(isCompressedSvg(path) ? QStringLiteral("svg") : QFileInfo(path).suffix());
 }
 
-bool Imported::lossy() const
-{
-    return std::ranges::any_of(report, [](const Loss& loss) { return !loss.remark; });
-}
-
 bool mustSaveAs(const std::vector<Loss>& report)
 {
     return std::ranges::any_of(

@@ -51,7 +51,6 @@ struct Imported {
     std::optional<clipping::Window> drawn{};
     /// The clip paths as they cut where they are used first; and some that are not used.
     std::vector<NamedArea> clipPaths{};
-    bool lossy() const; ///< has a loss that is not a remark
 };
 
 /// What a person says about a file that may not say it itself.
@@ -64,8 +63,8 @@ struct ReadOptions {
 enum class DxfVersion : std::uint8_t { R2000, R12 };
 
 struct WriteOptions {
-    int precision = -1;   ///< decimals; -1: the shortest text that reads back bit for bit
-    double dpi = 96;      ///< PNG only
+    int precision = -1; ///< decimals; -1: the shortest text that reads back bit for bit
+    double dpi = 96;    ///< PNG only
     /// Painted on the whole page, behind the drawing. Empty: what is usual, which is white in a
     /// picture and nothing elsewhere. With alpha 0 a picture is transparent.
     std::optional<Colour> background{};
@@ -112,7 +111,7 @@ struct Format {
                                     const WriteOptions& options);
     Holds holds = Holds::Paths;
     StoresHidden hides = StoresHidden::No;
-    QString limits{}; ///< the largest content of a file, worded to follow "at most "; may be empty
+    QString limits{};  ///< the largest content of a file, worded to follow "at most "; may be empty
     QString purpose{}; ///< what its files are for, in two words: "edit again"
     FormatTakes takes{};
     /// Reads with options; null: the format takes none.

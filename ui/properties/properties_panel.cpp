@@ -38,17 +38,21 @@ PropertiesPanel::PropertiesPanel(app::Session& session, Canvas& canvas, QWidget*
     follow();
 }
 
+bool PropertiesPanel::isSomethingSelected() const
+{
+    return !session_.selection().empty() || session_.nodes.someSelected();
+}
+
 void PropertiesPanel::follow()
 {
-    numbers_->setVisible(!session_.selection().empty() || session_.nodes.someSelected());
+    numbers_->setVisible(isSomethingSelected());
     emit titled(title());
 }
 
 QString PropertiesPanel::title() const
 {
-    return session_.selection().empty() && !session_.nodes.someSelected()
-               ? Text::tr("nothing selected, pen for new objects")
-               : app::selectionText(session_);
+    return isSomethingSelected() ? app::selectionText(session_)
+                                 : Text::tr("nothing selected, pen for new objects");
 }
 
 QSize PropertiesPanel::sizeHint() const

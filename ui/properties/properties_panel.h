@@ -34,6 +34,7 @@ signals:
     void titled(const QString& remark);
 
 private:
+    bool isSomethingSelected() const;
     void follow();
 
     app::Session& session_;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-// What readers and writers of DXF both need: the AutoCAD Color Index and the versions.
+// The AutoCAD Color Index and the versions of DXF, for the reader and the writer.
 
 namespace app::dxf {
 

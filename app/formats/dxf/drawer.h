@@ -11,7 +11,7 @@
 
 namespace app::dxf {
 
-/// What is inserted by its name.
+/// A block: entities that an INSERT draws by its name.
 struct Block {
     glm::dvec3 base{};
     Records content{};  ///< up to ENDBLK

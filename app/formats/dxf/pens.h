@@ -14,7 +14,7 @@ struct Pen {
     double lineTypeScale = 1;
 };
 
-/// What is painted of a shape.
+/// How a shape is painted: its line, its area, or as letters, which have no dashes.
 enum class Paint : std::uint8_t { Stroke, Fill, Letters };
 
 class Pens {

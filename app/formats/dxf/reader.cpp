@@ -9,6 +9,7 @@
 #include "app/formats/dxf/losses.h"
 #include "app/formats/painted.h"
 #include "app/formats/svg/refused.h"
+#include "app/formats/whole_pipe.h"
 
 #include <algorithm>
 
@@ -114,26 +115,18 @@ private:
     std::vector<Records> entities_;
 };
 
-// A pipe is read to its end, within mostBytes: it may never end.
 QByteArray allOf(QIODevice& in)
 {
-    if (!in.isSequential()) {
-        if (const QString fault = memoryFault(std::uint64_t(in.size()) * memoryOfByte);
-            !fault.isEmpty())
-            refuseFile(fault);
-        return in.readAll();
+    if (in.isSequential()) {
+        auto data = wholePipe(in, mostBytes);
+        if (!data)
+            refuseFile(data.error);
+        return std::move(*data.value);
     }
-    QByteArray data;
-    while (in.waitForReadyRead(-1) || !in.atEnd()) {
-        const QByteArray more = in.read(qint64(1) << 20);
-        if (more.isEmpty())
-            break;
-        data += more;
-        if (std::size_t(data.size()) > mostBytes)
-            refuseFile(
-                Text::tr("it is larger than %1 bytes. Save it as a file first.").arg(mostBytes));
-    }
-    return data;
+    if (const QString fault = memoryFault(std::uint64_t(in.size()) * memoryOfByte);
+        !fault.isEmpty())
+        refuseFile(fault);
+    return in.readAll();
 }
 
 void refuseDwg(const QByteArray& start)

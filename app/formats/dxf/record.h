@@ -16,7 +16,7 @@ struct BadValue {};
 double numberOf(std::string_view text);
 int integerOf(std::string_view text); ///< throws BadValue
 
-/// What follows a code 0 to the next one: an entity, an entry of a table, the beginning of a
+/// The pairs from a code 0 up to the next one: an entity, an entry of a table, the beginning of a
 /// section. A code may occur several times; the functions take the first.
 struct Record {
     std::string_view type; ///< the value of code 0

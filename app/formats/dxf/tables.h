@@ -35,7 +35,7 @@ struct TextStyle {
     bool backwards = false, upsideDown = false;
 };
 
-/// What entities name.
+/// The tables of a file: what entities refer to by name.
 struct Tables {
     std::vector<LayerEntry> layers{}; ///< in the order of the file
     std::map<std::string, LineType, std::less<>> lineTypes{};

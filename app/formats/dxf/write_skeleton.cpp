@@ -56,7 +56,7 @@ private:
         tags_.text(2, name);
     }
 
-    // What is on the screen when the file is opened: all of the drawing.
+    // A program that opens the file shows all of the drawing.
     void viewports()
     {
         const auto& [min, max] = skeleton_.extents;

@@ -13,6 +13,7 @@
 #include "app/formats/svg/sheets_text.h"
 #include "app/formats/svg/tree_drawer.h"
 #include "app/formats/svg/window_text.h"
+#include "app/formats/whole_pipe.h"
 
 #include <QBuffer>
 
@@ -70,29 +71,17 @@ Imported import(const Tree& tree, Report& report)
     return imported;
 }
 
-// Reads a pipe to its end, within mostBytes: a pipe may never end, and a single token may be as
-// long as the whole input.
-QByteArray wholePipe(QIODevice& in)
+QByteArray pipeOf(QIODevice& in)
 {
-    QByteArray data;
-    while (in.waitForReadyRead(-1) || !in.atEnd()) {
-        const QByteArray more = in.read(qint64(1) << 20);
-        if (more.isEmpty())
-            break;
-        data += more;
-        if (std::size_t(data.size()) > mostBytes)
-            throw Refused{
-                Text::tr("it is larger than %1 bytes. Save it as a file first.").arg(mostBytes),
-                Refused::wholeFile};
-    }
-    return data;
+    auto data = wholePipe(in, mostBytes);
+    return data ? std::move(*data.value) : throw Refused{data.error, Refused::wholeFile};
 }
 
 Tree readTree(QIODevice& in, Report& report)
 {
     if (!in.isSequential())
         return Tree::read(in, report);
-    QByteArray data = wholePipe(in);
+    QByteArray data = pipeOf(in);
     QBuffer buffer(&data);
     buffer.open(QIODevice::ReadOnly);
     return Tree::read(buffer, report);
@@ -102,7 +91,7 @@ Tree readZippedTree(QIODevice& in, Report& report)
 {
     std::optional<QByteArray> data;
     if (in.isSequential()) {
-        QByteArray pipe = wholePipe(in);
+        QByteArray pipe = pipeOf(in);
         QBuffer buffer(&pipe);
         buffer.open(QIODevice::ReadOnly);
         data = unzipped(buffer, mostBytes);

@@ -18,6 +18,7 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/app/formats/lossy.h"
 #include "tests/test_class.h"
 
 namespace formats_earlier_test {
@@ -72,7 +73,7 @@ private slots:
         QFETCH(QString, today);
         const auto read = app::readFile(path(file));
         QVERIFY2(read, qPrintable(read.error));
-        QVERIFY(!read.value->lossy());
+        QVERIFY(!isLossy(*read.value));
         QCOMPARE(clearcut({"info", path(file)}).out, stored("plan.info"));
         QCOMPARE(clearcut({"clip", path(file), "--to", "csv", "-o", "-"}).out,
                  stored("clipped.csv"));

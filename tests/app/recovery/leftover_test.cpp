@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "tests/app/document/sheet.h"
+#include "tests/app/formats/lossy.h"
 #include "tests/test_class.h"
 
 namespace recovery_leftover_test {
@@ -44,7 +45,7 @@ private slots:
             QVERIFY2(same != found.end(), qPrintable(origin.name.left(40)));
             const auto read = readFile(same->file);
             QVERIFY2(read, qPrintable(read.error));
-            QVERIFY(app::sheetOf(read.value->document) == sheet() && !read.value->lossy());
+            QVERIFY(app::sheetOf(read.value->document) == sheet() && !isLossy(*read.value));
             QVERIFY(same->ended.secsTo(QDateTime::currentDateTime()) < 3600);
         }
         QVERIFY(std::ranges::is_sorted(found, std::greater(), &Leftover::ended));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "tests/app/formats/lossy.h"
 #include "tests/app/formats/svg/text.h"
 #include "tests/test_class.h"
 
@@ -73,7 +74,7 @@ private slots:
         QCOMPARE(sheet.shapes.size(), 1u);
         QCOMPARE(sheet.shapes[0].paths[0],
                  (Subpath{{8.5, -47.25}, {{{9, -48}}, {{9.5, 1}}}, false}));
-        QVERIFY(!read.value->lossy());
+        QVERIFY(!isLossy(*read.value));
         QVERIFY(read.value->report[0].what.contains("plate carrée"));
         QVERIFY(sheet.shapes[0].style.width < 0.1); // not as wide as the map
         QVERIFY(!read.value->paged);

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/app/formats/lossy.h"
 #include "tests/test_class.h"
 
 namespace formats_svg_declarations_test {
@@ -61,7 +62,7 @@ private slots:
         QVERIFY(file.data().contains("clearcut:new-objects=\"fill:none;stroke:#0000ff;"));
         file.seek(0);
         const auto read = app::formats().front().read(file);
-        QVERIFY(read && !read.value->lossy());
+        QVERIFY(read && !isLossy(*read.value));
         const app::Containers& layers = read.value->document.containers();
         QCOMPARE(layers[layers.childrenOf(0)[0]].newStyle, text);
         QVERIFY(layers[layers.childrenOf(0)[1]].newStyle.isEmpty());

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "tests/app/formats/lossy.h"
 #include "tests/app/formats/svg/text.h"
 #include "tests/test_class.h"
 
@@ -191,7 +192,7 @@ private slots:
                 + colour + "'/></metadata>"));
             QVERIFY2(result, qPrintable(result.error));
             QCOMPARE(result.value->document.windows().list.size(), std::size_t(1));
-            QVERIFY(!result.value->lossy());
+            QVERIFY(!isLossy(*result.value));
             QCOMPARE(lossLines(result.value->report),
                      QStringList("Changed: 1 unknown colour “" + colour
                                  + "” of a clip window was replaced by the usual one (line 2)"));
