@@ -115,13 +115,21 @@ Rows containerRows(const Containers& containers, std::span<const std::size_t> li
     return rows;
 }
 
+QString turnedText(const QString& text, double angle)
+{
+    return angle == 0 ? text
+                      : Text::tr("%1 turned by %2°")
+                            .arg(text, shortestText(withoutNoise(angle * 180 / std::numbers::pi)));
+}
+
 QString pathText(const PathShape& shape)
 {
     if (const auto* ellipse = std::get_if<EllipseRecipe>(&shape.recipe)) {
-        const auto& [centre, radii] = *ellipse;
-        return Text::tr("ellipse about (%1, %2) with the radii %3 and %4")
-            .arg(shortestText(centre.x), shortestText(centre.y), shortestText(radii.x),
-                 shortestText(radii.y));
+        const auto& [centre, radii, turn] = *ellipse;
+        return turnedText(Text::tr("ellipse about (%1, %2) with the radii %3 and %4")
+                              .arg(shortestText(centre.x), shortestText(centre.y),
+                                   shortestText(radii.x), shortestText(radii.y)),
+                          turn);
     }
     const auto parts = shape.path.subpaths();
     std::size_t segments = 0;
@@ -135,10 +143,7 @@ QString shapeText(const WindowShape& shape)
     if (const auto* own = std::get_if<PathShape>(&shape))
         return pathText(*own);
     const auto& [box, angle] = std::get<RectangleShape>(shape);
-    return angle == 0 ? rectangleText(box)
-                      : Text::tr("%1 turned by %2°")
-                            .arg(rectangleText(box),
-                                 shortestText(withoutNoise(angle * 180 / std::numbers::pi)));
+    return turnedText(rectangleText(box), angle);
 }
 
 // A window that is only a rectangle is described by its numbers alone.

@@ -15,13 +15,15 @@ namespace app {
 // (clockwise on screen).
 
 struct RectangleRecipe {
-    Point corner; ///< the smallest x and y
+    Point corner; ///< the smallest x and y, before the turn
     Point size;
     double radius = 0; ///< of the rounded corners
+    double turn = 0;   ///< about the centre; never a multiple of a right angle other than 0
     friend bool operator==(const RectangleRecipe&, const RectangleRecipe&) = default;
 };
 struct EllipseRecipe {
     Point centre, radii;
+    double turn = 0; ///< of the radii; 0 for a circle, and as for a rectangle
     friend bool operator==(const EllipseRecipe&, const EllipseRecipe&) = default;
 };
 struct StarRecipe {
@@ -51,11 +53,13 @@ using Recipe = std::variant<std::monostate, RectangleRecipe, EllipseRecipe, Star
 
 /// The recipe of the transformed path; empty if no recipe of its kind makes that path.
 Recipe placed(const Recipe& recipe, const Placement& where);
-/// The same for any map. A rectangle or an ellipse that is turned has no recipe, unless it is a
-/// circle or turned by a multiple of 90°.
+/// The same for any map.
 Recipe mapped(const Recipe& recipe, const AffineMap& map);
 
 Path mapped(const Path& path, const AffineMap& map);
+
+/// The vector of the drawing that a vector of the turned shape's own directions is.
+Point turnedBy(const Point& vector, double turn);
 
 /// Transforms a path and its recipe together. A path with a recipe stays the recipe's outline: a
 /// rotated or mirrored one would begin at another corner.

@@ -3,6 +3,7 @@
 
 #include "app/document/arc_curves.h"
 #include "app/document/direction.h"
+#include "app/document/window_frame.h"
 
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
@@ -20,13 +21,19 @@ struct OutlineOfRecipe {
     std::optional<Subpath> operator()(const RectangleRecipe& r) const
     {
         const Point end = r.corner + r.size;
-        if (r.radius > 0)
-            return roundedRectangle(r.corner, end, glm::min(Point(r.radius), r.size * 0.5));
-        return Subpath{r.corner, {{{end.x, r.corner.y}}, {end}, {{r.corner.x, end.y}}}, true};
+        Subpath path =
+            r.radius > 0
+                ? roundedRectangle(r.corner, end, glm::min(Point(r.radius), r.size * 0.5))
+                : Subpath{r.corner, {{{end.x, r.corner.y}}, {end}, {{r.corner.x, end.y}}}, true};
+        const WindowFrame frame{{r.corner, end}, r.turn};
+        forEachPoint(path, [&](Point& p) { p = outOfFrame(frame, p); });
+        return path;
     }
     std::optional<Subpath> operator()(const EllipseRecipe& e) const
     {
-        const auto at = [&](const Point& unit) { return e.centre + e.radii * unit; };
+        const auto at = [&](const Point& unit) {
+            return e.centre + turnedBy(e.radii * unit, e.turn);
+        };
         const auto curve = [&](const Point& a, const Point& b) { // directions a quarter turn apart
             return PathSegment{at(b), at(a + b * quarter), at(b + a * quarter), true};
         };

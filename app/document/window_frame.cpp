@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/window_frame.h"
 
-#include <cmath>
+#include "app/document/recipe.h"
 
 namespace app {
 namespace {
 
 Point turnedPoint(const Point& p, const Point& centre, double angle)
 {
-    if (angle == 0)
-        return p; // with every bit
-    const double sine = std::sin(angle), cosine = std::cos(angle);
-    const Point by = p - centre;
-    return centre + Point(by.x * cosine - by.y * sine, by.x * sine + by.y * cosine);
+    return angle == 0 ? p : centre + turnedBy(p - centre, angle);
 }
 
 } // namespace

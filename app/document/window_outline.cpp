@@ -35,7 +35,8 @@ Ring inscribed(const EllipseRecipe& ellipse, double tolerance)
     const int count = cornersOn(std::max(radii.x, radii.y), tolerance);
     Ring ring;
     for (int i = 0; i < count; ++i)
-        ring.push_back(ellipse.centre + radii * directionOf(-360.0 * i / count));
+        ring.push_back(ellipse.centre
+                       + turnedBy(radii * directionOf(-360.0 * i / count), ellipse.turn));
     return ring;
 }
 

@@ -76,8 +76,8 @@ PathShape pathOf(const WindowShape& shape)
     const auto corners = cornersOf(rectangle);
     const Subpath ring{corners[0], {{corners[1]}, {corners[2]}, {corners[3]}}, true};
     PathShape path{Path({&ring, 1})};
-    if (rectangle.angle == 0)
-        path.recipe = RectangleRecipe{rectangle.box.min, rectangle.box.max - rectangle.box.min};
+    path.recipe = RectangleRecipe{rectangle.box.min, rectangle.box.max - rectangle.box.min, 0,
+                                  rectangle.angle};
     return path;
 }
 
@@ -176,6 +176,16 @@ std::optional<clipping::Window> rectangleOf(const Path& path)
     return clipping::Window{glm::min(a, c), glm::max(a, c)};
 }
 
+// The window lies exactly on the path, so it must have the same corners, not only similar ones.
+std::optional<RectangleShape> turnedRectangleOf(const Path& path, const Recipe& recipe)
+{
+    const auto* made = std::get_if<RectangleRecipe>(&recipe);
+    if (!made || made->radius != 0 || made->turn == 0)
+        return std::nullopt;
+    const RectangleShape shape{{made->corner, made->corner + made->size}, made->turn};
+    return pathOf(shape).path == path ? std::optional(shape) : std::nullopt;
+}
+
 } // namespace
 
 std::optional<ClipWindow> windowOf(const ObjectView& object)
@@ -188,6 +198,8 @@ std::optional<ClipWindow> windowOf(const ObjectView& object)
     const QString name = text ? text->text.section(u'\n', 0, 0) : particulars.id;
     if (const auto box = rectangleOf(path))
         return ClipWindow{name, RectangleShape{*box}};
+    if (const auto turned = turnedRectangleOf(path, particulars.recipe))
+        return ClipWindow{name, *turned};
     return ClipWindow{name, PathShape{path, object.style().fillRule, particulars.recipe}};
 }
 

@@ -6,8 +6,8 @@
 namespace app {
 namespace {
 
-constexpr std::string_view baseMark = "clearcut journal base 8\n";
-constexpr std::string_view logMark = "clearcut journal log 8\n";
+constexpr std::string_view baseMark = "clearcut journal base 9\n";
+constexpr std::string_view logMark = "clearcut journal log 9\n";
 constexpr std::uint64_t numberOfHeader = ~std::uint64_t(0); // of the frame before a log's records
 
 void append(std::string& bytes, ByteWriter& frame, std::uint64_t number)

@@ -84,7 +84,8 @@ clipping::Window boundsAround(const std::vector<std::vector<Point>>& rings)
 void moveAround(const EllipseRecipe& ellipse, std::vector<Point>& ring)
 {
     const auto radiusOf = [&](const Point& p) {
-        return glm::length((p - ellipse.centre) / glm::abs(ellipse.radii)); // 1 on the ellipse
+        return glm::length(turnedBy(p - ellipse.centre, -ellipse.turn)
+                           / glm::abs(ellipse.radii)); // 1 on the ellipse
     };
     double least = 1; // of an edge's middle, as a part of its ends'
     for (std::size_t i = 0; i < ring.size(); ++i) {

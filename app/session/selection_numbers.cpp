@@ -4,6 +4,8 @@
 #include "app/base/text.h"
 #include "app/commands/move_objects.h"
 #include "app/document/direction.h"
+#include "app/document/recipe.h"
+#include "app/document/window_frame.h"
 #include "app/drawing/transformation.h"
 #include "app/view/ruler.h"
 
@@ -31,10 +33,44 @@ std::optional<clipping::Segment> onlyLine(const Session& session)
     return session.now().objects()[selection.first()].singleLine();
 }
 
+/// The recipe of the only selected object; of any other selection none.
+Recipe onlyRecipe(const Session& session)
+{
+    const ObjectRanges& selection = session.selection();
+    return selection.size() == 1 ? session.now().objects()[selection.first()].particulars().recipe
+                                 : Recipe{};
+}
+
+/// The rectangle whose sides are the width and the height: that of the selection, but a turned
+/// rectangle or ellipse has sides of its own.
+std::optional<WindowFrame> frameOf(const Session& session)
+{
+    const Recipe recipe = onlyRecipe(session);
+    if (const auto* r = std::get_if<RectangleRecipe>(&recipe); r && r->turn != 0)
+        return WindowFrame{{r->corner, r->corner + r->size}, r->turn};
+    if (const auto* e = std::get_if<EllipseRecipe>(&recipe); e && e->turn != 0)
+        return WindowFrame{{e->centre - e->radii, e->centre + e->radii}, e->turn};
+    const auto& box = session.selectionBounds();
+    return box ? std::optional(WindowFrame{*box}) : std::nullopt;
+}
+
+/// In radians, from x towards y.
+double turnOf(const Recipe& recipe)
+{
+    struct Turn {
+        double operator()(std::monostate) const { return 0; }
+        double operator()(const StarRecipe&) const { return 0; } // no corner is the first to people
+        double operator()(const RectangleRecipe& r) const { return r.turn; }
+        double operator()(const EllipseRecipe& e) const { return e.turn; }
+        double operator()(const TextRecipe& t) const { return t.turn; }
+    };
+    return std::visit(Turn{}, recipe);
+}
+
 std::optional<Point> reference(const Session& session, const Frame& frame)
 {
-    const auto& box = session.selectionBounds();
-    return box ? std::optional(placeOf(frame.reference, *box)) : std::nullopt;
+    const auto own = frameOf(session);
+    return own ? std::optional(outOfFrame(*own, placeOf(frame.reference, own->box))) : std::nullopt;
 }
 
 template <int axis>
@@ -57,8 +93,19 @@ Map moveTo(const Session& session, const Frame& frame, double value)
 template <int axis>
 SelectionValue side(const Session& session, const Frame&)
 {
-    const auto& box = session.selectionBounds();
-    return box ? SelectionValue(box->max[axis] - box->min[axis]) : std::nullopt;
+    const auto own = frameOf(session);
+    return own ? SelectionValue(own->box.max[axis] - own->box.min[axis]) : std::nullopt;
+}
+
+/// Scales along axes that are turned.
+AffineMap scalingAlong(double turn, const Point& factors, const Point& about)
+{
+    AffineMap map = scaling(factors, about);
+    if (turn != 0)
+        for (Point* const axis : {&map.x, &map.y})
+            *axis = turnedBy(factors * turnedBy(axis == &map.x ? Point(1, 0) : Point(0, 1), -turn),
+                             turn);
+    return map;
 }
 
 template <int axis>
@@ -71,15 +118,18 @@ Map resizeTo(const Session& session, const Frame& frame, double value)
     factors[axis] = value / *old;
     if (frame.keepsRatio)
         factors = Point(factors[axis]);
-    return scaling(factors, *reference(session, frame));
+    return scalingAlong(frameOf(session)->angle, factors, *reference(session, frame));
 }
 
-/// Only a line has a direction; of everything else the angle is the turn that is typed.
+/// Some objects remember how they are turned; of everything else the angle is the turn that is
+/// typed.
 SelectionValue selectionAngle(const Session& session, const Frame&)
 {
     if (const auto line = onlyLine(session))
         return degreesOf(line->b - line->a);
-    return session.selectionBounds() ? SelectionValue(0) : std::nullopt;
+    if (!session.selectionBounds())
+        return std::nullopt;
+    return degreesOf(turnedBy({1, 0}, turnOf(onlyRecipe(session))));
 }
 
 Map turnTo(const Session& session, const Frame& frame, double value)
@@ -87,9 +137,8 @@ Map turnTo(const Session& session, const Frame& frame, double value)
     const auto at = reference(session, frame);
     if (!at)
         return std::nullopt;
-    if (const auto line = onlyLine(session))
-        return rotation(value - degreesOf(line->b - line->a), line->a);
-    return rotation(value, *at);
+    const auto line = onlyLine(session);
+    return rotation(value - selectionAngle(session, frame).value_or(0), line ? line->a : *at);
 }
 
 /// The skew that is typed: no object remembers how it was skewed.

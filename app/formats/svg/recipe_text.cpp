@@ -86,13 +86,21 @@ struct InWords {
 
     std::string operator()(const RectangleRecipe& r) const
     {
-        const auto& [corner, size, radius] = r;
-        return radius == 0 ? withNumbers(rectangle, {corner.x, corner.y, size.x, size.y})
-                           : withNumbers(rectangle, {corner.x, corner.y, size.x, size.y, radius});
+        const auto& [corner, size, radius, turn] = r;
+        std::vector<double> numbers{corner.x, corner.y, size.x, size.y};
+        if (radius != 0 || turn != 0)
+            numbers.push_back(radius);
+        if (turn != 0)
+            numbers.push_back(turn);
+        return withNumbers(rectangle, numbers);
     }
     std::string operator()(const EllipseRecipe& e) const
     {
-        return withNumbers(ellipse, {e.centre.x, e.centre.y, e.radii.x, e.radii.y});
+        const auto& [centre, radii, turn] = e;
+        std::vector<double> numbers{centre.x, centre.y, radii.x, radii.y};
+        if (turn != 0)
+            numbers.push_back(turn);
+        return withNumbers(ellipse, numbers);
     }
     std::string operator()(const StarRecipe& s) const
     {
@@ -156,10 +164,11 @@ Recipe readShape(std::string_view text)
         if (!text.starts_with(kind))
             continue;
         const auto v = numbersIn(text.substr(kind.size()));
-        if (kind == rectangle && (v.size() == 4 || v.size() == 5))
-            return RectangleRecipe{{v[0], v[1]}, {v[2], v[3]}, v.size() == 5 ? v[4] : 0};
-        if (kind == ellipse && v.size() == 4)
-            return EllipseRecipe{{v[0], v[1]}, {v[2], v[3]}};
+        const auto more = [&](std::size_t i) { return i < v.size() ? v[i] : 0; };
+        if (kind == rectangle && v.size() >= 4)
+            return RectangleRecipe{{v[0], v[1]}, {v[2], v[3]}, more(4), more(5)};
+        if (kind == ellipse && (v.size() == 4 || v.size() == 5))
+            return EllipseRecipe{{v[0], v[1]}, {v[2], v[3]}, more(4)};
         const bool isStar = kind == star && v.size() == 6;
         if (isStar && v[5] >= 3 && v[5] <= mostPoints && v[5] == std::floor(v[5]))
             return StarRecipe{{v[0], v[1]}, v[2], v[3], v[4], int(v[5])};

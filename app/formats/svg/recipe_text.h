@@ -8,8 +8,9 @@
 #include <string_view>
 
 // The recipe of a path, as an attribute of its element, in user units:
-// clearcut:recipe="rectangle 1 2 30 40" gives its corner and size, "rectangle 1 2 30 40 5" also the
-// radius of its corners, "ellipse 5 5 3 2" its centre and radii, "star 5 5 9 4 0.5 7" its centre,
+// clearcut:recipe="rectangle 1 2 30 40" gives its corner and size, "rectangle 1 2 30 40 5 0.5" also
+// the radius of its corners and the angle in radians by which it is turned about its centre,
+// "ellipse 5 5 3 2" its centre and radii, perhaps with that angle, "star 5 5 9 4 0.5 7" its centre,
 // both radii, the angle of its first corner in radians, and the number of its points (StarRecipe),
 // "text 5 20 7 'Hershey Sans 1-stroke' One\nTwo" the start of the baseline, the height of capitals,
 // the font and the text, with \n for a line break and \\ for a backslash. After the height may

@@ -91,12 +91,13 @@ static std::vector<clipping::Segment> edgesNear(const SnapSurroundings& near,
     return edges;
 }
 
-// An ellipse offers its centre and its outermost points.
+// An ellipse offers its centre and the ends of its radii.
 static void addEllipse(const EllipseRecipe& ellipse, const SnapQuery& query, SnapSurroundings& near)
 {
     if (query.to.has("centres"))
         near.centres.push_back(ellipse.centre);
-    const Point x(ellipse.radii.x, 0), y(0, ellipse.radii.y);
+    const Point x = turnedBy({ellipse.radii.x, 0}, ellipse.turn),
+                y = turnedBy({0, ellipse.radii.y}, ellipse.turn);
     for (const Point& away : {x, y, -x, -y})
         if (const Point p = ellipse.centre + away; isNear(near, p, p))
             near.windowEdges.push_back({p, p});

@@ -20,7 +20,8 @@ OwnPoints ofRectangle(const RectangleShape& rectangle)
 
 OwnPoints ofEllipse(const EllipseRecipe& ellipse, const clipping::Window& bounds)
 {
-    const Point x(ellipse.radii.x, 0), y(0, ellipse.radii.y);
+    const Point x = turnedBy({ellipse.radii.x, 0}, ellipse.turn),
+                y = turnedBy({0, ellipse.radii.y}, ellipse.turn);
     const Point& centre = ellipse.centre;
     return {{centre, centre - x, centre + x, centre - y, centre + y}, bounds};
 }

@@ -80,9 +80,13 @@ private slots:
         QVERIFY(near(box.corner, {20, -40}) && near(box.size, {5, 30}));
         history.push(new TransformObjects(document, ObjectRanges{0, 1}, rotation(10, {0, 0}),
                                           StrokeScaling::Keep, "Rotate"));
-        QVERIFY(document.now().objects()[0].copy().particulars.recipe.index() == 0);
-        const Object circle = document.now().objects()[1].copy();
-        QVERIFY(makes(circle.particulars.recipe, circle.path.subpaths()));
+        for (const std::size_t i : {0, 1}) {
+            const Object object = document.now().objects()[i].copy();
+            QVERIFY(makes(object.particulars.recipe, object.path.subpaths()));
+        }
+        const auto turned =
+            std::get<RectangleRecipe>(document.now().objects()[0].copy().particulars.recipe);
+        QVERIFY(near(turned.size, {5, 30}) && turned.turn != 0);
     }
     void copiesAreAddedForEachMap()
     {

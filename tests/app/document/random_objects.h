@@ -58,7 +58,7 @@ private:
     {
         if (whole(0, 19))
             return {};
-        return {QString::number(whole(0, 1000)), {}, {}, app::EllipseRecipe{{1, 2}, {3, 4}}};
+        return {QString::number(whole(0, 1000)), {}, {}, app::EllipseRecipe{{1, 2}, {3, 4}, 0.5}};
     }
 
     RandomPaths paths_;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/recipe.h"
+#include "app/document/recipe_outline.h"
 
 #include <QTest>
 
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <numbers>
 #include <vector>
 
@@ -35,6 +38,33 @@ std::vector<bool> kept(const Placement& where)
 Point firstPoint(const StarRecipe& star)
 {
     return star.centre + star.outer * Point(std::cos(star.turn), std::sin(star.turn));
+}
+
+AffineMap mapOf(const Placement& where)
+{
+    return {{where.scale.x, 0}, {0, where.scale.y}, Point(0), where(Point(0))};
+}
+
+/// Whether the outline of `after` runs through the points of the mapped outline of `before`, in
+/// whatever order.
+bool samePoints(const Recipe& after, const Recipe& before, const AffineMap& map)
+{
+    const Subpath there = *outlineOf(after), here = *outlineOf(before);
+    std::vector<Point> points;
+    forEachPoint(there, [&](const Point& p) { points.push_back(p); });
+    bool same = after.index() == before.index();
+    forEachPoint(here, [&](const Point& p) {
+        same = same && std::ranges::any_of(points, [&](const Point& q) {
+                   return glm::distance(map(p), q) < 1e-12 * 100;
+               });
+    });
+    return same;
+}
+
+bool sameNumbers(const Recipe& a, const Recipe& b)
+{
+    const auto path = outlineOf(a);
+    return a.index() == b.index() && makes(b, std::span(&*path, 1));
 }
 
 } // namespace
@@ -72,6 +102,29 @@ private slots:
         QVERIFY(!turned.mirrored && std::abs(turned.turn) == std::numbers::pi);
         QVERIFY(placed(turned, move)
                 == Recipe(TextRecipe{"Text", "Sans", 12, {14, -6}, turned.turn}));
+    }
+    // Whatever a map makes of the recipe, its outline has the points of the mapped one.
+    void aTurnedShapeKeepsItsSidesAndItsTurn()
+    {
+        const Point about(5, -3);
+        for (const Recipe& recipe : {all[0], all[1], all[2]}) {
+            const Recipe turned = mapped(recipe, rotation(-30, about)); // clockwise on screen
+            QCOMPARE(turned.index(), recipe.index());
+            QVERIFY(samePoints(turned, recipe, rotation(-30, about)));
+            QVERIFY(samePoints(placed(turned, twice), turned, mapOf(twice)));
+            QVERIFY(samePoints(placed(turned, mirror), turned, mapOf(mirror)));
+            QVERIFY(samePoints(placed(turned, move), turned, mapOf(move)));
+            QCOMPARE(placed(turned, wide).index(), 0u); // no right angles are left
+            QCOMPARE(mapped(turned, horizontalSkew(10, about)).index(), 0u);
+            QVERIFY(sameNumbers(mapped(turned, rotation(30, about)), recipe));
+            QVERIFY(samePoints(mapped(turned, rotation(-60, about)), recipe, rotation(-90, about)));
+        }
+        const auto turned = std::get<RectangleRecipe>(mapped(all[0], rotation(-30, about)));
+        QVERIFY(std::abs(turned.turn - std::numbers::pi / 6) < 1e-12);
+        QVERIFY(glm::distance(turned.size, Point(10, 20)) < 1e-12);
+        const auto quarter = std::get<RectangleRecipe>(mapped(turned, rotation(-60, about)));
+        QCOMPARE(quarter.turn, 0);
+        QVERIFY(glm::distance(quarter.size, Point(20, 10)) < 1e-12);
     }
     void aStarTurnsWithItsFirstPoint()
     {

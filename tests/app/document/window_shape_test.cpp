@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip windows of all shapes, moved, resized and rotated.
+#include "app/document/document_builder.h"
 #include "app/document/recipe_outline.h"
 #include "app/document/window_outline.h"
 #include "app/document/window_shape.h"
@@ -8,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -84,6 +86,43 @@ private slots:
             QVERIFY(near(ring[std::size_t(corner)], place));
         QVERIFY(std::holds_alternative<PathShape>(
             mapped(RectangleShape{{{0, 0}, {2, 1}}, 0.3}, scaling({2, 1}, {0, 0}))));
+    }
+    void aTurnedRectangleIsAWindowWithItsCorners()
+    {
+        Recipe recipe = RectangleRecipe{{10.1, 20}, {30, 7.3}};
+        Path path = made(recipe).path;
+        transform(path, recipe, rotation(23, {1, 2}));
+        DocumentBuilder builder;
+        builder.open({.name = "Drawing"});
+        builder.add(Object{.path = path, .style = {}, .particulars = {.recipe = recipe}});
+        builder.close();
+        const Document document = builder.take({});
+        const auto window = windowOf(document.objects()[0]);
+        QVERIFY(std::get<RectangleShape>(window->shape).angle != 0);
+        const PathShape back = pathOf(window->shape);
+        QVERIFY(back.path == path && back.recipe == recipe);
+    }
+    void anEllipseThatIsTurnedHasItsEdgesOnIt()
+    {
+        const auto oval =
+            std::get<PathShape>(mapped(made(EllipseRecipe{{5, 5}, {6, 3}}), rotation(40, {0, 0})));
+        const auto& recipe = std::get<EllipseRecipe>(oval.recipe);
+        QVERIFY(makes(recipe, oval.path.subpaths()));
+        const auto ring = outlineOf(oval, 0.01).rings.at(0);
+        for (const Point& corner : ring)
+            QVERIFY(
+                std::abs(glm::length(turnedBy(corner - recipe.centre, -recipe.turn) / recipe.radii)
+                         - 1)
+                < 1e-12);
+        const auto drawn = drawnOutlineOf(oval, 0.001).rings.at(0);
+        const auto box = boxOf(oval);
+        for (const auto& points : {ring, drawn})
+            for (const int axis : {0, 1}) {
+                const auto [least, most] =
+                    std::ranges::minmax(points, {}, [&](const Point& p) { return p[axis]; });
+                QVERIFY(std::abs(least[axis] - box.min[axis]) < 0.02);
+                QVERIFY(std::abs(most[axis] - box.max[axis]) < 0.02);
+            }
     }
     void aCircleStaysACircle()
     {

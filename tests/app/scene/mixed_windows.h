@@ -43,7 +43,7 @@ public:
             return app::RectangleShape{{centre - half, centre + half}, number(-3, 3)};
         case Mixed::Convex:
             if (whole(0, 1))
-                return shapeOf(app::EllipseRecipe{centre, half});
+                return shapeOf(app::EllipseRecipe{centre, half, number(0, 3)});
             return shapeOf(app::StarRecipe{centre, half.x, 0, number(0, 6), whole(3, 9)});
         case Mixed::Any:
             break;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_builder.h"
+#include "app/document/recipe_outline.h"
 #include "app/session/selection_numbers.h"
 
 #include <QTest>
@@ -113,6 +114,37 @@ private slots:
         QCOMPARE(drawing.value("y"), 15);
         QVERIFY(!drawing.set("w", 30, {{-1, -1}, true}));
         QCOMPARE(drawing.value("h"), 10);
+    }
+    void aTurnedRectangleKeepsItsAngleAndSides()
+    {
+        Drawing drawing;
+        const Recipe recipe = RectangleRecipe{{10, 20}, {30, 10}};
+        DocumentBuilder builder;
+        builder.open({.name = "Drawing"});
+        Object object = made(*outlineOf(recipe));
+        object.particulars.recipe = recipe;
+        builder.add(std::move(object));
+        builder.close();
+        drawing.load({builder.take({}), {}});
+        drawing.select({0});
+        QVERIFY(!drawing.set("angle", 30, {{0, 0}}));
+        QVERIFY(near(drawing.value("angle"), 30) && near(drawing.value("w"), 30)
+                && near(drawing.value("h"), 10));
+        QVERIFY(!drawing.set("angle", 40, {{0, 0}})); // not 70
+        QVERIFY(near(drawing.value("angle"), 40));
+        const double x = drawing.value("x"), y = drawing.value("y");
+        QVERIFY(!drawing.set("w", 50));
+        QVERIFY(near(drawing.value("w"), 50) && near(drawing.value("h"), 10)
+                && near(drawing.value("angle"), 40));
+        QVERIFY(near(drawing.value("x"), x) && near(drawing.value("y"), y)); // its corner stays
+        QVERIFY(!drawing.set("x", 100));
+        QVERIFY(near(drawing.value("x"), 100) && near(drawing.value("y"), y));
+        QVERIFY(!drawing.set("angle", 0));
+        QVERIFY(near(drawing.value("w"), 50) && near(drawing.value("h"), 10));
+        QCOMPARE(drawing.history.count(), 5);
+        for (int i = 0; i < 5; ++i)
+            drawing.history.undo();
+        QVERIFY(drawing.now().objects()[0].particulars().recipe == recipe);
     }
     void lineTurnsAndGrowsFromItsStart()
     {

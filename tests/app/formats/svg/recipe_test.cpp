@@ -59,6 +59,9 @@ private slots:
         QTest::addColumn<Recipe>("recipe");
         QTest::newRow("rectangle") << Recipe(RectangleRecipe{{0.1, -3}, {7.7, 1e-3}});
         QTest::newRow("ellipse") << Recipe(EllipseRecipe{{10.1, 20}, {3.3, 4}});
+        QTest::newRow("turned rectangle") << Recipe(RectangleRecipe{{0.1, -3}, {7.7, 2}, 0, 0.3});
+        QTest::newRow("turned, round") << Recipe(RectangleRecipe{{0.1, -3}, {7.7, 2}, 0.5, -3});
+        QTest::newRow("turned ellipse") << Recipe(EllipseRecipe{{10.1, 20}, {3.3, 4}, 1.1});
         const QString font = strokeFonts().front().name;
         QTest::newRow("text") << Recipe(TextRecipe{"A word", font, 5.1, {0.1, 20}});
         QTest::newRow("signs") << Recipe(
