@@ -2,6 +2,7 @@
 #include "ui/canvas/canvas.h"
 
 #include "app/document/object_in_hand.h"
+#include "app/lettering/lettering.h"
 #include "ui/canvas/canvas_parts.h"
 #include "ui/canvas/view_commands.h"
 #include "ui/canvas/window_tags.h"
@@ -41,8 +42,7 @@ Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
     connect(&controller, &Controller::pointerMoved, this, &Canvas::pointerMoved);
     connect(&controller.held(), &HeldTool::chosen, this, &Canvas::toolChanged);
     connect(&controller.steps(), &GestureSteps::changed, this, &Canvas::stepsChanged);
-    connect(&controller, &Controller::hintChanged, this,
-            [this] { emit hint(parts_->controller.held().hint()); });
+    connect(&controller, &Controller::hintChanged, this, [this] { emit hint(toolHint()); });
     connect(&controller.held(), &HeldTool::snappingChanged, this, &Canvas::snappingChanged);
     connect(&parts_->ofWindow, &Capsule::menuWanted, this, &Canvas::windowMenuWanted);
     connect(&parts_->ofObjects, &Capsule::menuWanted, this, &Canvas::objectMenuWanted);
@@ -76,7 +76,24 @@ double Canvas::zoom() const
 }
 void Canvas::setTool(std::string_view key) { parts_->controller.held().choose(key); }
 std::string_view Canvas::tool() const { return parts_->controller.toolInfo().key; }
-QString Canvas::toolHint() const { return parts_->controller.held().hint(); }
+QString Canvas::toolHint() const
+{
+    return parts_->hintOfFrame.isEmpty() ? parts_->controller.held().hint() : parts_->hintOfFrame;
+}
+void Canvas::cancelGesture() { parts_->controller.held().cancel(); }
+app::PastedText Canvas::textAt(const QPointF& point) const
+{
+    const auto kept = keptNumbers("text");
+    return {{},
+            keptFont(),
+            kept ? (*kept)[0] : app::usualTextSize,
+            view().toDrawing({point.x(), point.y()})};
+}
+void Canvas::setHint(const QString& hint)
+{
+    parts_->hintOfFrame = hint;
+    emit this->hint(toolHint());
+}
 app::DigitUse Canvas::digitUse() const { return parts_->controller.digitUse(); }
 bool Canvas::digitsChoose() const { return parts_->controller.digitsChoose(); }
 bool Canvas::canUndo() const { return parts_->controller.steps().canUndo(); }

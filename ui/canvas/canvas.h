@@ -4,6 +4,7 @@
 #include "app/comparison/panes.h"
 #include "app/drawing/transformation.h"
 #include "app/session/digits.h"
+#include "app/session/pasted_text.h"
 #include "app/session/session.h"
 #include "app/view/capsule_place.h"
 #include "app/view/frame_times.h"
@@ -57,6 +58,7 @@ public:
     bool digitsChoose() const; ///< whether digits choose the algorithm, outside gestures
 
     /// Undo or redo one step: a corner of the polyline being drawn, else a step of the history.
+    void setHint(const QString& hint); ///< of what lies over it; empty: toolHint() is the tool's
     bool canUndo() const;
     bool canRedo() const;
     void undo();
@@ -64,6 +66,7 @@ public:
     void goToStep(int index); ///< undoes or redoes until so many steps are done; ends the gesture
     QString undoText() const; ///< the name of that step
     QString redoText() const;
+    void cancelGesture(); ///< everything is as it was before
     /// Ends the gesture and keeps what is complete, so that the document is as it is seen.
     void endGesture();
     std::optional<app::ObjectInHand> pendingObject() const; ///< what endGesture() would keep now
@@ -86,6 +89,8 @@ public:
     /// `tool` outlives the canvas: it is a key of a catalogue.
     void keepNumbers(std::string_view tool, const app::Numbers& numbers);
     QString keptFont() const; ///< of the next text
+    /// The next text, without letters, at a point of the active pane.
+    app::PastedText textAt(const QPointF& point) const;
     void keepFont(const QString& font);
     /// Whether capsules are on, and all their parts have room.
     bool hasWholeCapsule() const;

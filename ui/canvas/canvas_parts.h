@@ -40,7 +40,8 @@ struct Canvas::Parts {
     QWidget* capsuleBar = nullptr; ///< of the options bar; null: there is none
     std::function<bool(const Carried&)> carrier;
     bool layingOut = false;
-    QSize cornerKeptIn; ///< the window's size while keepCorner() holds; empty: it does not
+    QString hintOfFrame; ///< setHint()
+    QSize cornerKeptIn;  ///< the window's size while keepCorner() holds; empty: it does not
 };
 
 } // namespace ui

@@ -34,10 +34,14 @@ void cutSelection(app::Session& session)
     session.select({});
 }
 
-QString paste(app::Session& session, app::PastePlace place, app::PastedText text,
-              const std::optional<clipping::Window>& seen)
+bool canPaste(const QMimeData& data)
 {
-    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+    return data.hasFormat(QStringLiteral("image/svg+xml")) || data.hasText();
+}
+
+QString paste(app::Session& session, const QMimeData* data, app::PastePlace place,
+              app::PastedText text, const std::optional<clipping::Window>& seen)
+{
     const app::Document drawing = data ? app::pasted(*data, session.now().page()) : app::Document();
     if (!drawing.objects().empty()) {
         app::paste(session, drawing, place, seen);

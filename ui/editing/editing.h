@@ -7,6 +7,8 @@
 
 #include <cstddef>
 
+class QMimeData;
+
 namespace ui {
 
 // The Edit menu's functions on the selection and the clipboard (SVG or text). Each is one undo
@@ -14,10 +16,13 @@ namespace ui {
 
 void copySelection(const app::Session& session);
 void cutSelection(app::Session& session);
-/// Pastes the drawing on the clipboard, or its text as an object in the font and at the place of
-/// `text`, whose own text does not count. Empty, or why nothing was pasted.
-QString paste(app::Session& session, app::PastePlace place, app::PastedText text,
-              const std::optional<clipping::Window>& seen = {});
+/// Pastes the drawing of the clipboard or of another program's drag, or its text as an object in
+/// the font and at the place of `text`, whose own text does not count. Empty, or why nothing was
+/// pasted.
+QString paste(app::Session& session, const QMimeData* data, app::PastePlace place,
+              app::PastedText text, const std::optional<clipping::Window>& seen = {});
+/// Whether what is dragged may be pasted: a drawing or a text.
+bool canPaste(const QMimeData& data);
 void deleteSelection(app::Session& session);
 /// Selects every object that is visible and not locked, in the entered group if there is one.
 void selectAll(app::Session& session);

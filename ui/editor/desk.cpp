@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/desk.h"
 
-#include "app/commands/add_and_remove.h"
-#include "app/session/clipboard.h"
-#include "app/session/copy_selection.h"
 #include "ui/files/files.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -330,36 +327,28 @@ bool Desk::carry(MainWindow& from, const Canvas::Carried& carried)
         from.statusBar()->showMessage(
             (moves ? Text::tr("Release: move to %1") : Text::tr("Release: copy to %1. Shift: move"))
                 .arg(tabs.name(tab)));
+    if (!carried.dropped && !from.window()->frameGeometry().contains(carried.at))
+        QMetaObject::invokeMethod(
+            this,
+            [this, &from] {
+                if (numberOf(from) < open_.size())
+                    dragOut(from);
+            },
+            Qt::QueuedConnection);
     if (tab >= 0 && carried.dropped) // when the gesture has been given up
         QMetaObject::invokeMethod(
-            this, [this, &from, tab, moves] { give(from, tab, moves); }, Qt::QueuedConnection);
+            this, [this, &from, tab, moves] { give(from, tab, Leaves(moves)); },
+            Qt::QueuedConnection);
     return tab >= 0;
 }
 
 /// Copies or moves what is selected to the drawing of another tab, which is shown.
-void Desk::give(MainWindow& from, int tab, bool moves)
+void Desk::give(MainWindow& from, int tab, Leaves leaves)
 {
     if (numberOf(from) == open_.size() || tab >= count())
         return;
-    const app::Session& source = from.session();
-    const std::shared_ptr<QMimeData> data =
-        app::copied(source.now(), source.selection(), source.entered.id());
-    const auto step = source.document.revision();
     showTab(tab);
-    MainWindow& to = current();
-    to.files().whenIdle([this, &from, &to, data, moves, step] {
-        app::Session& target = to.session();
-        const std::size_t before = target.now().objects().size();
-        app::paste(target, app::pasted(*data, target.now().page()), app::PastePlace::InPlace);
-        const bool isGiven = target.now().objects().size() > before;
-        if (!moves || !isGiven || numberOf(from) == open_.size()
-            || from.session().document.revision() != step)
-            return;
-        app::Session& giver = from.session();
-        giver.history.push(new app::RemoveObjects(giver.document, giver.selection(),
-                                                  Text::tr("Move to %1").arg(to.files().name())));
-        giver.select({});
-    });
+    giveSelection(from, current(), leaves);
 }
 
 void Desk::move(int from, int to)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/open_drawings.h"
+#include "ui/editor/carrying.h"
 #include "ui/editor/recovery.h"
 #include "ui/window/drawings.h"
 #include "ui/window/main_window.h"
@@ -90,7 +91,7 @@ private:
     void numberDrawings();
     void showTabs();
     void rememberTabs();
-    void give(MainWindow& from, int tab, bool moves);
+    void give(MainWindow& from, int tab, Leaves leaves);
     void askNext();
     void stay();
 

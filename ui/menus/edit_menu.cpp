@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/lettering/lettering.h"
 #include "app/session/window_steps.h"
 #include "ui/bars/option_bar.h"
 #include "ui/editing/editing.h"
@@ -9,7 +8,9 @@
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
+#include <QClipboard>
 #include <QCursor>
+#include <QGuiApplication>
 #include <QMenu>
 
 namespace ui {
@@ -33,21 +34,18 @@ void withdrawWarning(MainWindow& window)
 /// A text stands where the pointer is, or in the middle of the drawing.
 app::PastedText textToPaste(const Canvas& canvas)
 {
-    const app::View& view = canvas.view();
-    app::Point place = view.size * 0.5;
     if (const QWidget* surface = canvas.paneSurface(canvas.panes().active())) {
         const QPoint pointer = surface->mapFromGlobal(QCursor::pos());
         if (surface->isVisible() && surface->rect().contains(pointer))
-            place = {pointer.x(), pointer.y()};
+            return canvas.textAt(pointer);
     }
-    const auto kept = canvas.keptNumbers("text");
-    return {{}, canvas.keptFont(), kept ? (*kept)[0] : app::usualTextSize, view.toDrawing(place)};
+    return canvas.textAt(QPointF(canvas.view().size.x, canvas.view().size.y) / 2);
 }
 
 void pasteOrWarn(MainWindow& window, app::PastePlace place)
 {
-    const QString why = paste(window.session(), place, textToPaste(window.canvas()),
-                              window.canvas().view().visible());
+    const QString why = paste(window.session(), QGuiApplication::clipboard()->mimeData(), place,
+                              textToPaste(window.canvas()), window.canvas().view().visible());
     withdrawWarning(window);
     pasteWarning() = why;
     if (!why.isEmpty())

@@ -128,6 +128,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    void takeDropped(const QMimeData& data, const QPointF& position);
     void addCentre();
     void addBars();
     void addModes();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editing/editing.h"
 #include "ui/files/files.h"
 #include "ui/look/window_place.h"
 #include "ui/widgets/panel_list.h"
@@ -120,26 +121,47 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
     QMainWindow::keyPressEvent(event);
 }
 
+static QStringList localFiles(const QMimeData& data)
+{
+    QStringList paths;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile())
+            paths << url.toLocalFile();
+    return paths;
+}
+
+/// What was dragged out of this program and back changes nothing.
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile())
-            return event->acceptProposedAction();
+    if (!event->source()
+        && (!localFiles(*event->mimeData()).isEmpty() || canPaste(*event->mimeData())))
+        event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) {
-            event->acceptProposedAction();
-            // Queued until the drop is finished, because a question may follow while the other
-            // program waits.
-            QMetaObject::invokeMethod(
-                this, [this, path = url.toLocalFile()] { files_->open(path); },
-                Qt::QueuedConnection);
-            if (!drawings_)
-                return; // one file replaces the drawing
-        }
+    event->acceptProposedAction();
+    const QStringList paths = localFiles(*event->mimeData());
+    // Queued until the drop is finished, because a question may follow while the other program
+    // waits. Without tabs, one file replaces the drawing.
+    for (const QString& path :
+         drawings_ ? paths : paths.first(std::min<qsizetype>(1, paths.size())))
+        QMetaObject::invokeMethod(
+            this, [this, path] { files_->open(path); }, Qt::QueuedConnection);
+    if (paths.isEmpty())
+        takeDropped(*event->mimeData(), event->position());
+}
+
+/// The drawing or text of another program comes to the place where it was dropped.
+void MainWindow::takeDropped(const QMimeData& data, const QPointF& position)
+{
+    const QWidget* surface = canvas_->paneSurface(canvas_->panes().active());
+    const QPointF at = surface ? surface->mapFromGlobal(mapToGlobal(position)) : position;
+    const app::PastedText text = canvas_->textAt(at);
+    const QString why = paste(session_, &data, app::PastePlace::Offset, text,
+                              clipping::Window{text.centre, text.centre});
+    if (!why.isEmpty())
+        tell({Message::Kind::Warning, why});
 }
 
 bool MainWindow::event(QEvent* event)

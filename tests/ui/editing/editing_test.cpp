@@ -113,7 +113,9 @@ private slots:
         QCOMPARE(stage.session.selection(), (app::ObjectRanges{1}));
         app::duplicateInPlace(stage.session);
         copySelection(stage.session);
-        QCOMPARE(paste(stage.session, app::PastePlace::InPlace, {}), QString());
+        QCOMPARE(paste(stage.session, QGuiApplication::clipboard()->mimeData(),
+                       app::PastePlace::InPlace, {}),
+                 QString());
         const app::Containers& tree = stage.now().containers();
         QCOMPARE(tree.rangeOf(group), (app::ObjectRange{1, 4}));
         QCOMPARE(tree.size(), std::size_t(2)); // the copy is in no group of its own
@@ -134,7 +136,9 @@ private slots:
         edit.containers = stage.now().containers().with(layer);
         stage.session.document.apply(edit);
         QSignalSpy refused(&stage.session, &app::Session::refused);
-        QCOMPARE(paste(stage.session, app::PastePlace::Offset, {}), QString());
+        QCOMPARE(paste(stage.session, QGuiApplication::clipboard()->mimeData(),
+                       app::PastePlace::Offset, {}),
+                 QString());
         QCOMPARE(refused.count(), 1);
         QCOMPARE(stage.session.history.count(), 0);
         QGuiApplication::clipboard()->clear();
@@ -145,7 +149,9 @@ private slots:
         const app::Document before = stage.now();
         selectAll(stage.session);
         copySelection(stage.session);
-        QCOMPARE(paste(stage.session, app::PastePlace::Offset, {}), QString());
+        QCOMPARE(paste(stage.session, QGuiApplication::clipboard()->mimeData(),
+                       app::PastePlace::Offset, {}),
+                 QString());
         QCOMPARE(stage.edits, 1);
         QCOMPARE(stage.session.history.text(0), "Paste");
         QCOMPARE(stage.session.selection().first(), std::size_t(groups));

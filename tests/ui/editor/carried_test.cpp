@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Objects that are dragged onto the tab of another drawing.
+#include <QDrag>
+#include <QMimeData>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "tests/test_class.h"
 #include "tests/ui/editor/test_desk.h"
@@ -67,6 +70,37 @@ private slots:
         QCOMPARE(t.session(0).history.count(), 0); // nor has it been moved
         t.session(1).history.undo();
         QCOMPARE(t.objects(1), std::size_t(1));
+    }
+    void areDraggedOutOfTheWindow()
+    {
+        TwoTabs t;
+        MainWindow& window = t.desk->current();
+        const app::Document before = t.session(0).now();
+        QWidget* area = window.canvas().focusProxy();
+        const app::Point on = window.canvas().view().toScreen({50, 50});
+        const QPoint from(qRound(on.x), qRound(on.y));
+        const QPoint out =
+            area->mapFromGlobal(window.window()->frameGeometry().bottomRight()) + QPoint(30, 30);
+        QStringList kinds;
+        QTimer ends; // in the loop that the drag waits in
+        connect(&ends, &QTimer::timeout, this, [&] {
+            if (const auto* drag = window.findChild<QDrag*>()) {
+                kinds = drag->mimeData()->formats();
+                QDrag::cancel();
+            }
+        });
+        ends.start(5);
+        QTest::mousePress(area, Qt::LeftButton, {}, from);
+        for (const QPoint& at : {from + QPoint(0, -20), out}) {
+            QMouseEvent move(QEvent::MouseMove, at, area->mapToGlobal(at), Qt::NoButton,
+                             Qt::LeftButton, {});
+            QCoreApplication::sendEvent(area, &move);
+        }
+        QTRY_VERIFY(kinds.contains("image/svg+xml"));
+        QVERIFY(kinds.contains("application/pdf"));
+        QTest::mouseRelease(area, Qt::LeftButton, {}, from);
+        QVERIFY(t.session(0).now() == before);
+        QCOMPARE(t.session(0).history.count(), 0);
     }
     void areMovedWithShift()
     {

@@ -227,6 +227,43 @@ private slots:
         QApplication::sendEvent(t.window.get(), &drop);
         QTRY_COMPARE(t.window->session().scene.lines().size(), std::size_t(2));
     }
+    void whatAnotherProgramDropsComesToTheDrawing()
+    {
+        TestWindow t;
+        t.show();
+        QMimeData words, lines, picture;
+        words.setText("Roof");
+        lines.setData("image/svg+xml",
+                      "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm' "
+                      "viewBox='0 0 9 9'><path d='M0 0 9 9' stroke='black'/></svg>");
+        picture.setData("image/gif", "GIF89a");
+        const QWidget* surface = t.window->canvas().paneSurface(0);
+        const QPointF at = surface->rect().center() + QPoint(60, 40);
+        const auto drop = [&](const QMimeData& data) {
+            const QPointF place = surface->mapTo(t.window.get(), at);
+            QDragEnterEvent enter(place.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, {});
+            QApplication::sendEvent(t.window.get(), &enter);
+            if (!enter.isAccepted())
+                return false;
+            QDropEvent dropped(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+            QApplication::sendEvent(t.window.get(), &dropped);
+            return true;
+        };
+        const app::Session& session = t.window->session();
+        const auto middle = [&] {
+            const clipping::Window box = session.selectionBounds().value();
+            const app::Point on = t.window->canvas().view().toScreen((box.min + box.max) * 0.5);
+            return (QPointF(on.x, on.y) - at).manhattanLength();
+        };
+        QVERIFY(drop(words));
+        QCOMPARE(session.now().objects().size(), std::size_t(1));
+        QVERIFY(middle() < 1);
+        QVERIFY(drop(lines));
+        QCOMPARE(session.now().objects().size(), std::size_t(2));
+        QVERIFY(middle() < 1);
+        QVERIFY(!drop(picture));
+        QCOMPARE(session.history.count(), 2);
+    }
     void itAsksAboutUnsavedChanges()
     {
         TestWindow t;
