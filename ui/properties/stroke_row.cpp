@@ -5,11 +5,10 @@
 #include "app/session/selected_texts.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
+#include "ui/properties/dash_list.h"
 #include "ui/tools/end_drag.h"
 #include "ui/widgets/elements.h"
-#include "ui/widgets/icon_sign.h"
 #include "ui/widgets/length_field.h"
-#include "ui/widgets/tool_list.h"
 
 #include <QHBoxLayout>
 
@@ -20,7 +19,7 @@ StrokeRow::StrokeRow(app::Session& session, Canvas& canvas, Frame frame, QWidget
       colour_(new ColourChoice(session, canvas, &app::Style::stroke)),
       width_(new LengthField(Text::tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
-      dashes_(new ToolList)
+      dashes_(new DashList)
 {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -78,22 +77,12 @@ void StrokeRow::addWidth(Frame frame)
 
 void StrokeRow::addDashes(Frame frame)
 {
-    dashes_->setToolTip(Text::tr("Dashes"));
-    dashes_->setAccessibleName(Text::tr("Dashes"));
-    dashes_->setIconSize({36, 12});
-    dashes_->setFixedSize(72, space::fieldHeight);
+    dashes_->setFixedWidth(72);
     dashes_->setFrame(frame == Frame::Fields);
-    for (const app::DashPattern& pattern : app::dashPatterns()) {
-        dashes_->addItem(dashIcon(pattern), QString());
-        dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::AccessibleTextRole);
-    }
     layout()->addWidget(dashes_);
     connect(dashes_, &ToolList::done, this, [this] { canvas_.setFocus(); });
-    connect(dashes_, &QComboBox::activated, this, [this](int index) {
-        const auto& pattern = app::dashPatterns()[std::size_t(index)];
-        app::restyle(
-            session_, [&](app::Style& style) { style.dashes = app::scaled(pattern, style.width); },
-            Text::tr("Dashes"), app::Merging::WithLast);
+    connect(dashes_, &DashList::picked, this, [this](const auto& pattern) {
+        app::restyle(session_, pattern, Text::tr("Dashes"), app::Merging::WithLast);
         follow();
     });
 }
@@ -120,8 +109,7 @@ void StrokeRow::follow()
         else
             width_->showMixed(styles.front().width, unit, size);
     }
-    const auto pattern = app::common(styles, app::patternOf).value_or(std::nullopt);
-    dashes_->setCurrentIndex(pattern ? int(*pattern) : -1);
+    dashes_->follow(styles);
 }
 
 } // namespace ui

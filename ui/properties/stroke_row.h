@@ -8,7 +8,7 @@
 namespace ui {
 
 class LengthField;
-class ToolList;
+class DashList;
 
 /// The colour, the width and the dashes of strokes: of the selected objects, else of what is drawn
 /// next. A plain one is for selected objects and has the parts that these have: the fill, but not
@@ -39,7 +39,7 @@ private:
     ColourChoice* colour_;
     ColourChoice* fill_ = nullptr; ///< null: it is not offered
     LengthField* width_;
-    ToolList* dashes_;
+    DashList* dashes_;
 };
 
 } // namespace ui

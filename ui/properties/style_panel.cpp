@@ -9,10 +9,9 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
-#include "ui/widgets/icon_sign.h"
+#include "ui/properties/dash_list.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/swatches.h"
-#include "ui/widgets/tool_list.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -63,7 +62,7 @@ StylePanel::StylePanel(app::Session& session, Canvas& canvas, QWidget* parent)
       part_(new Segments(Text::tr("Colour of"), {Text::tr("Stroke"), Text::tr("Fill")})),
       colour_(new ColourChoice(session, canvas, &app::Style::stroke)),
       swatches_(new Swatches(Text::tr("Colours of the drawing"), app::coloursInRow, 1)),
-      width_(makeField(Text::tr("Stroke width"), LengthField::Suffix::Unit)), dashes_(new ToolList),
+      width_(makeField(Text::tr("Stroke width"), LengthField::Suffix::Unit)), dashes_(new DashList),
       pattern_(new QLineEdit),
       caps_(new Segments(Text::tr("Caps"),
                          {Text::tr("Butt"), Text::tr("Round"), Text::tr("Square")})),
@@ -147,23 +146,12 @@ QLayout* StylePanel::makeColour()
 
 QLayout* StylePanel::makeWidth()
 {
-    dashes_->setToolTip(Text::tr("Dashes"));
-    dashes_->setAccessibleName(Text::tr("Dashes"));
-    dashes_->setIconSize({36, 12});
-    dashes_->setFixedHeight(space::fieldHeight);
-    for (const app::DashPattern& pattern : app::dashPatterns()) {
-        dashes_->addItem(dashIcon(pattern), QString());
-        dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::AccessibleTextRole);
-        dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::ToolTipRole);
-    }
     connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
         change([width](app::Style& style) { app::setWidth(style, width); },
                Text::tr("Stroke width"), merging);
     });
-    connect(dashes_, &QComboBox::activated, this, [this](int index) {
-        const auto& pattern = app::dashPatterns()[std::size_t(index)];
-        change([&](app::Style& style) { style.dashes = app::scaled(pattern, style.width); },
-               Text::tr("Dashes"), app::Merging::WithLast);
+    connect(dashes_, &DashList::picked, this, [this](const auto& pattern) {
+        change(pattern, Text::tr("Dashes"), app::Merging::WithLast);
     });
     connect(dashes_, &ToolList::done, this, &StylePanel::entered);
     auto* line = row();
@@ -317,8 +305,7 @@ void StylePanel::followLines(std::span<const app::Style> styles)
         miterLimit_->show(first.miterLimit, app::Unit::User, 1);
     else
         miterLimit_->showMixed(first.miterLimit, app::Unit::User, 1);
-    const auto pattern = app::common(styles, app::patternOf).value_or(std::nullopt);
-    dashes_->setCurrentIndex(pattern ? int(*pattern) : -1);
+    dashes_->follow(styles);
     const auto dashes = app::common(styles, &app::Style::dashes);
     if (!pattern_->isModified()) {
         pattern_->setText(dashes ? app::dashesText(*dashes, scale()) : QString());

@@ -14,7 +14,7 @@ namespace ui {
 
 class Segments;
 class Swatches;
-class ToolList;
+class DashList;
 
 /// The style of the selected objects, or of new ones if nothing is selected: colours of stroke and
 /// fill, width, dashes, caps, joins, fill rule. Each choice is one undo step. Where objects differ,
@@ -60,7 +60,7 @@ private:
     ColourChoice* colour_;
     Swatches* swatches_;
     LengthField* width_;
-    ToolList* dashes_;
+    DashList* dashes_;
     QLineEdit* pattern_;
     Segments *caps_, *joins_, *fillRule_;
     LengthField* miterLimit_;

@@ -270,6 +270,12 @@ private slots:
         p.typeInto<LengthField>("Stroke width", "1");
         QCOMPARE(p.style(0).dashes, (std::vector<double>{6, 3}));
         QCOMPARE(p.named<ToolList>("Dashes")->currentIndex(), 1);
+        p.typeInto<QLineEdit>("Dash pattern", "3mm 1 0.5 1");
+        QCOMPARE(p.named<ToolList>("Dashes")->currentIndex(), -1);
+        QCOMPARE(p.named<ToolList>("Dashes")->placeholderText(), QString("own"));
+        p.session.select({0, 1});
+        Person::settle();
+        QCOMPARE(p.named<ToolList>("Dashes")->placeholderText(), QString("mixed"));
     }
     void badPatternsAndLimitsAreRefused()
     {
