@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/base/length.h"
+#include "app/document/style_table.h"
 #include "app/document/subpath.h"
 
 #include <QString>
@@ -89,6 +90,13 @@ struct PaperMargins {
     friend bool operator==(const PaperMargins&, const PaperMargins&) = default;
 };
 
+/// What is behind the drawing on its page.
+struct PageBackground {
+    Colour colour{255, 255, 255}; ///< alpha 0: nothing
+    bool exported = false;        ///< in files that have one, unless another one is given
+    friend bool operator==(const PageBackground&, const PageBackground&) = default;
+};
+
 /// The page: its rectangle in user units (the whole sheet of paper; the viewBox of an SVG) and its
 /// size on paper. Lengths with a unit are measured from `min`, the top left corner of the paper.
 struct Page {
@@ -99,6 +107,7 @@ struct Page {
     std::optional<PageSheets> sheets{}; ///< how it is divided, if a person has chosen it
     DrawingScale scale{};
     PaperMargins margins{};
+    PageBackground background{};
     friend bool operator==(const Page&, const Page&) = default;
 
     /// The size of a user unit on paper in millimetres; 25.4 / 96 (1 px) if the file does not give
@@ -113,6 +122,11 @@ struct Page {
     /// The unit of lengths on paper, such as stroke widths, beside drawn lengths in `unit`:
     /// millimetres or inches, if a drawn length has another size than its picture on paper.
     Unit paperUnit(Unit unit) const;
+    /// What is painted behind the drawing in a file; empty: what is usual there.
+    std::optional<Colour> exportedBackground() const
+    {
+        return background.exported ? std::optional(background.colour) : std::nullopt;
+    }
     clipping::Window rectangle() const { return {min, min + size}; }
 };
 

@@ -65,9 +65,14 @@ enum class DxfVersion : std::uint8_t { R2000, R12 };
 struct WriteOptions {
     int precision = -1; ///< decimals; -1: the shortest text that reads back bit for bit
     double dpi = 96;    ///< PNG only
-    /// Painted on the whole page, behind the drawing. Empty: what is usual, which is white in a
-    /// picture and nothing elsewhere. With alpha 0 a picture is transparent.
+    /// Painted on the whole page, behind the drawing. Empty: that of the page if it is exported,
+    /// else what is usual, which is white in a picture and nothing elsewhere. With alpha 0 a
+    /// picture is transparent.
     std::optional<Colour> background{};
+    std::optional<Colour> backgroundOf(const Page& page) const
+    {
+        return background ? background : page.exportedBackground();
+    }
     double tolerance = 0; ///< user units; flattening where the format has no curves; 0: usual
     /// With a limited precision, numbers are rounded and then moved inward, so that the written
     /// decimals lie in this rectangle.
@@ -76,6 +81,7 @@ struct WriteOptions {
     /// column, and rows in drawing order.
     std::vector<std::uint32_t> sources{};
     DxfVersion dxf = DxfVersion::R2000; ///< DXF only
+    bool plain = false; ///< SVG: nothing but SVG, so that texts, shapes and layers are only drawn
     /// DXF: the page of the whole drawing, if that of the document is only a part.
     std::optional<clipping::Window> wholePage{};
     bool paged = true; ///< Imported::paged; otherwise DXF keeps numbers of pixels, without a unit
@@ -97,13 +103,14 @@ struct FormatTakes {
     bool background = false;
     bool precision = false;
     bool paper = false;
-    bool dxf = false; ///< WriteOptions::dxf
+    bool dxf = false;   ///< WriteOptions::dxf
+    bool plain = false; ///< WriteOptions::plain
 };
 
 /// One row of the catalogue of file formats. A null function: not supported.
 struct Format {
     std::string_view key; ///< "svg": the file name extension, and the value of --from and --to
-    QString name;         ///< "SVG drawing", translated
+    QString name;         ///< "SVG drawing", translated; begins with the format's own name
     Result<Imported> (*read)(QIODevice& in);
     /// Returns nothing, or a sentence that says what went wrong. Hidden objects and layers are left
     /// out unless `hides` is Yes.
@@ -116,6 +123,7 @@ struct Format {
     FormatTakes takes{};
     /// Reads with options; null: the format takes none.
     Result<Imported> (*readWith)(QIODevice& in, const ReadOptions& options) = nullptr;
+    QString shortName() const { return name.section(u' ', 0, 0); } ///< "SVG"
 };
 
 /// All formats, in menu order; the first one is the native format.

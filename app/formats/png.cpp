@@ -53,7 +53,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
     const Point pixels = pixelsOf(document.page(), options.dpi);
     if (auto sentence = tooLarge(pixels, inches))
         return sentence;
-    const Colour ground = options.background.value_or(Colour{255, 255, 255});
+    const Colour ground = options.backgroundOf(document.page()).value_or(Colour{255, 255, 255});
     QImage image(int(pixels.x), int(pixels.y),
                  ground.alpha == 255 ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
     if (image.isNull())

@@ -101,7 +101,7 @@ PaperMargins readMargins(ByteReader& in)
 
 void writePage(ByteWriter& out, const Page& page)
 {
-    const auto& [min, size, width, height, guides, sheets, scale, margins] = page;
+    const auto& [min, size, width, height, guides, sheets, scale, margins, background] = page;
     out.put(min);
     out.put(size);
     writeLength(out, width);
@@ -116,6 +116,8 @@ void writePage(ByteWriter& out, const Page& page)
         writeSheets(out, *sheets);
     writeScale(out, scale);
     writeMargins(out, margins);
+    out.put(background.colour);
+    out.put(std::uint8_t(background.exported));
 }
 
 Page readPage(ByteReader& in)
@@ -133,6 +135,8 @@ Page readPage(ByteReader& in)
         page.sheets = readSheets(in);
     page.scale = readScale(in);
     page.margins = readMargins(in);
+    page.background.colour = in.get<Colour>();
+    page.background.exported = in.flag();
     return page;
 }
 

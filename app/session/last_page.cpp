@@ -5,6 +5,7 @@
 #include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/paper.h"
+#include "app/formats/svg/colour.h"
 #include "app/session/page_steps.h"
 
 #include <QStringList>
@@ -15,7 +16,9 @@ namespace app {
 namespace {
 
 const QString scaleWord = QStringLiteral("scale="), unitWord = QStringLiteral("unit="),
-              marginsWord = QStringLiteral("margins="), shownWord = QStringLiteral("shown");
+              marginsWord = QStringLiteral("margins="), shownWord = QStringLiteral("shown"),
+              backgroundWord = QStringLiteral("background="),
+              exportedWord = QStringLiteral("exported");
 
 Page ofPaper(const Point& millimetres)
 {
@@ -61,6 +64,14 @@ bool takeMargins(Page& page, const QString& numbers)
     return bool(with);
 }
 
+bool takeBackground(Page& page, const QString& text)
+{
+    const auto colour = svg::parseColour(text.toStdString());
+    if (colour)
+        page.background.colour = *colour;
+    return colour.has_value();
+}
+
 bool takeWord(Page& page, const QString& word)
 {
     if (word.startsWith(scaleWord))
@@ -69,8 +80,11 @@ bool takeWord(Page& page, const QString& word)
         return takeUnit(page, word.sliced(unitWord.size()));
     if (word.startsWith(marginsWord))
         return takeMargins(page, word.sliced(marginsWord.size()));
-    page.margins.shown = word == shownWord;
-    return page.margins.shown;
+    if (word.startsWith(backgroundWord))
+        return takeBackground(page, word.sliced(backgroundWord.size()));
+    page.margins.shown |= word == shownWord;
+    page.background.exported |= word == exportedWord;
+    return word == shownWord || word == exportedWord;
 }
 
 } // namespace
@@ -89,6 +103,10 @@ QString pageText(const Page& page)
     words << marginsWord + sides.join(u',');
     if (margins.shown)
         words << shownWord;
+    if (page.background.colour != PageBackground{}.colour)
+        words << backgroundWord + QString::fromStdString(svg::hexOf(page.background.colour));
+    if (page.background.exported)
+        words << exportedWord;
     return words.join(u' ');
 }
 

@@ -21,6 +21,11 @@ public:
     const ExportChoice& choice() const { return choice_; }
     void change(ExportChoice choice);
 
+    /// What is painted behind the drawing; empty: what is usual for the format.
+    std::optional<Colour> background() const
+    {
+        return WriteOptions{.background = choice_.background}.backgroundOf(session_.now().page());
+    }
     /// A snapshot of what is exported, with the chosen area or, if that is not possible, another.
     ExportJob job() const;
     /// Why this area cannot be exported; empty: it can.

@@ -38,10 +38,7 @@ void rememberColour(QSettings& settings, const Colour& colour)
 
 QString hexText(const Colour& colour)
 {
-    QString text = QStringLiteral("#");
-    for (const std::uint8_t part : {colour.red, colour.green, colour.blue, colour.alpha})
-        text += QStringLiteral("%1").arg(part, 2, 16, QLatin1Char('0')).toUpper();
-    return colour.alpha == 255 ? text.first(7) : text;
+    return QString::fromStdString(svg::hexOf(colour)).toUpper();
 }
 
 Result<Colour> typedColour(const QString& typed)

@@ -6,6 +6,7 @@
 #include "app/session/inspection.h"
 #include "ui/canvas/canvas_keys.h"
 #include "ui/canvas/view_commands.h"
+#include "ui/widgets/swatch.h"
 
 #include <QGuiApplication>
 #include <QPalette>
@@ -43,6 +44,12 @@ Controller::Controller(app::Session& session, QObject* parent)
     });
     connectSession();
     fitPage(session, navigation_);
+}
+
+QColor Controller::pageColour() const
+{
+    const app::Colour& own = session().now().page().background.colour;
+    return paperLook().dark || own.alpha == 0 ? paperLook().paper : screenColour(own);
 }
 
 /// At another scale of the drawing, the paper stays as it is seen; what is drawn on it grows or

@@ -40,7 +40,7 @@ public:
     const Look& look() const { return look_; } ///< of the theme
     void setLook(const Look& look);
     const Look& paperLook() const { return bench().look; } ///< of what lies on the drawing
-    QColor pageColour() const { return paperLook().paper; }
+    QColor pageColour() const; ///< of the page's background, unless the paper is dark
     /// The current clip window, also during a gesture.
     std::optional<clipping::Window> clipWindow() const { return session().clipWindow(); }
     /// The controls of what is chosen (capsule.h) that are shown; null: none are.
@@ -104,7 +104,7 @@ private:
     QRectF capsulePlace_;
     bool leavesKeys_ = false;
     OwnKeys keys_;
-    double paperUnit_ = 0; ///< millimetres of a user unit on the last page
+    double paperUnit_ = 0;                     ///< millimetres of a user unit on the last page
     std::pair<QString, app::DigitUse> told_{}; ///< the hint and what a digit does
     app::ObjectRanges inspectedSelection_;     ///< the last one that inspectOnly() has seen
 };

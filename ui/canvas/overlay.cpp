@@ -10,6 +10,7 @@
 #include "ui/canvas/margin_paint.h"
 #include "ui/canvas/snap_marker.h"
 #include "ui/canvas/window_overlay.h"
+#include "ui/look/checker.h"
 #include "ui/tools/end_drag.h"
 #include "ui/tools/transform_gesture.h"
 
@@ -175,7 +176,9 @@ void paintPaper(QPainter& painter, const Controller& controller)
                        QPointF(snapped(max.x), snapped(max.y)));
     painter.fillRect(QRectF(0, 0, view.size.x, view.size.y), controller.paperLook().canvas);
     painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.paperLook().border);
-    painter.fillRect(sheet, controller.pageColour());
+    const Look& look = controller.paperLook();
+    const bool empty = controller.session().now().page().background.colour.alpha == 0;
+    painter.fillRect(sheet, empty && !look.dark ? checkerOf(look) : controller.pageColour());
     paintMargins(painter, controller);
     paintGrid(painter, controller);
     if (const app::Guides* guides = controller.bench().guides())

@@ -2,10 +2,12 @@
 #include "ui/export/export_view.h"
 
 #include "app/base/numbers.h"
+#include "ui/look/checker.h"
 #include "ui/look/focus_ring.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/spoken_role.h"
+#include "ui/widgets/swatch.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -24,11 +26,8 @@ constexpr auto mostWaiting = 5ms;
 constexpr double step = 1.2; // a key zooms by
 constexpr double millimetresPerInch = 25.4;
 constexpr double leastDpi = 40, mostDpi = 1000;      // of a screen that tells its size
-constexpr int squares = 8;                           // pixels of a checker
 constexpr int away = 18, foot = 5, roomForWords = 6; // pixels of a size beside the paper
 constexpr double scaleBar = 50;                      // millimetres
-
-QColor screenColour(const app::Colour& c) { return {c.red, c.green, c.blue, c.alpha}; }
 
 /// A line with feet and its length in the middle, from left to right.
 void paintSize(QPainter& painter, double length, const QString& text, const Look& look)
@@ -181,19 +180,14 @@ void ExportView::paintPaper(QPainter& painter, const QRectF& paper) const
     const app::Format& format = app::formatOf(choice);
     const Look& look = lookOnPaper(false);
     painter.fillRect(paper, look.paper);
-    if (!format.takes.background || !choice.background)
+    const auto background = live_->background();
+    if (!format.takes.background || !background)
         return;
-    if (choice.background->alpha > 0)
-        return painter.fillRect(paper, screenColour(*choice.background));
+    if (background->alpha > 0)
+        return painter.fillRect(paper, screenColour(*background));
     if (!format.takes.dpi)
         return; // printed on white paper
-    QPixmap checker(2 * squares, 2 * squares);
-    checker.fill(look.paper);
-    QPainter squared(&checker);
-    for (const int at : {0, squares})
-        squared.fillRect(at, at, squares, squares, look.hover);
-    squared.end();
-    painter.fillRect(paper, QBrush(checker));
+    painter.fillRect(paper, checkerOf(look));
 }
 
 /// The edge of each sheet, and its number if there are several.

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 namespace {
@@ -24,20 +25,10 @@ constexpr int labelRoom = 6;
 
 constexpr std::array<Qt::CursorShape, 9> cursorShapes{
     Qt::SizeFDiagCursor, Qt::SizeVerCursor, Qt::SizeBDiagCursor,
-    Qt::SizeHorCursor,   Qt::ArrowCursor,   Qt::SizeHorCursor,
+    Qt::SizeHorCursor,   Qt::SizeAllCursor, Qt::SizeHorCursor,
     Qt::SizeBDiagCursor, Qt::SizeVerCursor, Qt::SizeFDiagCursor};
 
 QFont sizeFont(const QFont& font) { return captionFont(font); }
-
-/// Calls `use` with the eight places around a rectangle.
-template <class Use>
-void forEachSquare(const Use& use)
-{
-    for (const int down : {-1, 0, 1})
-        for (const int across : {-1, 0, 1})
-            if (across != 0 || down != 0)
-                use(across, down);
-}
 
 } // namespace
 
@@ -55,6 +46,20 @@ PageFrame::PageFrame(Canvas& canvas, app::Session& session, app::PageEditing& ed
     show();
 }
 
+void PageFrame::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    canvas_.setHint(
+        Text::tr("Drag an edge: own size. Drag a margin: Shift changes all four. Drag "
+                 "inside: move the drawing on the page. Esc: leave the page as it was."));
+}
+
+void PageFrame::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    canvas_.setHint({});
+}
+
 bool PageFrame::eventFilter(QObject*, QEvent* event)
 {
     if (event->type() == QEvent::Resize)
@@ -62,19 +67,33 @@ bool PageFrame::eventFilter(QObject*, QEvent* event)
     return false;
 }
 
-QRectF PageFrame::onScreen() const
+/// Calls `use` with the eight squares of the page, and those at the middle of its margins' edges.
+template <class Use>
+void PageFrame::forEachSquare(const Use& use) const
+{
+    for (const int down : {-1, 0, 1})
+        for (const int across : {-1, 0, 1})
+            if (across != 0 || down != 0)
+                use(Square{across, down});
+    if (session_.now().page().margins.shown)
+        for (const auto& [across, down] : {std::pair(-1, 0), {1, 0}, {0, -1}, {0, 1}})
+            use(Square{across, down, Edges::Margins});
+}
+
+QRectF PageFrame::onScreen(Edges of) const
 {
     const app::View& view = canvas_.view();
-    const clipping::Window page = session_.now().page().rectangle();
+    const app::Page& whole = session_.now().page();
+    const clipping::Window page = of == Edges::Page ? whole.rectangle() : app::insideOf(whole);
     const app::Point least(-1000), most = view.size + 1000.0; // painters fail far outside
     const app::Point min = glm::clamp(view.toScreen(page.min), least, most);
     const app::Point max = glm::clamp(view.toScreen(page.max), least, most);
     return {QPointF(min.x, min.y), QPointF(max.x, max.y)};
 }
 
-QPointF PageFrame::square(int across, int down) const
+QPointF PageFrame::square(int across, int down, Edges of) const
 {
-    const QRectF page = onScreen();
+    const QRectF page = onScreen(of);
     return page.center() + QPointF(across * page.width() / 2, down * page.height() / 2);
 }
 
@@ -105,24 +124,20 @@ QRectF PageFrame::labelPlace(int axis) const
     return fits ? place : QRectF();
 }
 
-/// Only what is seen takes the pointer: the canvas has the rest.
+/// Beside the page, only what is seen takes the pointer: the canvas has the rest.
 void PageFrame::follow()
 {
     setGeometry(parentWidget()->rect());
-    QRegion seen;
-    forEachSquare([&](int across, int down) {
-        const double half = reach + 1;
-        const QPointF at = square(across, down);
-        seen += QRectF(at.x() - half, at.y() - half, 2 * half, 2 * half).toAlignedRect();
-    });
     const QRectF page = onScreen();
+    const double half = reach + 1;
+    QRegion taken(page.adjusted(-half, -half, half, half).toAlignedRect());
     if (!labelPlace(0).isEmpty())
-        seen += QRectF(page.left() - 1, page.top() - labelGap - 10, page.width() + 2, 20)
-                    .toAlignedRect();
+        taken += QRectF(page.left() - 1, page.top() - labelGap - 10, page.width() + 2, 20)
+                     .toAlignedRect();
     if (!labelPlace(1).isEmpty())
-        seen += QRectF(page.right() + labelGap - 10, page.top() - 1, 20, page.height() + 2)
-                    .toAlignedRect();
-    setMask(seen);
+        taken += QRectF(page.right() + labelGap - 10, page.top() - 1, 20, page.height() + 2)
+                     .toAlignedRect();
+    setMask(taken);
     update();
 }
 
@@ -159,22 +174,25 @@ void PageFrame::paintEvent(QPaintEvent*)
     painter.setFont(sizeFont(font()));
     for (const int axis : {0, 1})
         paintSize(painter, axis);
-    painter.setPen(QPen(look.selection, 1));
     painter.setBrush(look.paper);
-    forEachSquare([&](int across, int down) {
+    forEachSquare([&](const Square& square) {
         QRectF box(0, 0, squareSize, squareSize);
-        box.moveCenter(square(across, down));
+        box.moveCenter(this->square(square.across, square.down, square.of));
+        painter.setPen(QPen(square.of == Edges::Page ? look.selection : look.guide, 1));
         painter.drawRect(box);
     });
 }
 
+/// The page itself, where no square is.
 std::optional<PageFrame::Square> PageFrame::squareAt(const QPointF& at) const
 {
     std::optional<Square> found;
-    forEachSquare([&](int across, int down) {
-        const QPointF apart = square(across, down) - at;
+    if (onScreen().contains(at))
+        found = Square{0, 0};
+    forEachSquare([&](const Square& square) {
+        const QPointF apart = this->square(square.across, square.down, square.of) - at;
         if (std::max(std::abs(apart.x()), std::abs(apart.y())) <= reach)
-            found = Square{across, down};
+            found = square;
     });
     return found;
 }
@@ -183,25 +201,41 @@ void PageFrame::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton)
         dragged_ = squareAt(event->position());
+    last_ = event->position();
     event->setAccepted(dragged_.has_value()); // otherwise it is for the canvas
 }
 
 void PageFrame::mouseMoveEvent(QMouseEvent* event)
 {
     if (dragged_)
-        return drag(event->position());
+        return drag(event->position(), event->modifiers());
     const auto over = squareAt(event->position());
     over ? setCursor(cursorShapes[std::size_t(4 + over->across + 3 * over->down)]) : unsetCursor();
+    event->ignore(); // the canvas shows where the pointer is
 }
 
-void PageFrame::mouseReleaseEvent(QMouseEvent*) { dragged_.reset(); }
+void PageFrame::mouseReleaseEvent(QMouseEvent* event)
+{
+    event->setAccepted(dragged_.has_value());
+    dragged_.reset();
+}
+
+void PageFrame::drag(const QPointF& to, Qt::KeyboardModifiers keys)
+{
+    const app::Point at = canvas_.view().toDrawing({to.x(), to.y()});
+    if (dragged_->of == Edges::Margins)
+        dragMargin(at, keys);
+    else if (dragged_->across == 0 && dragged_->down == 0)
+        dragPage(to);
+    else
+        dragEdge(at);
+}
 
 /// The size is a whole number of millimetres on paper; what is not dragged stays.
-void PageFrame::drag(const QPointF& to)
+void PageFrame::dragEdge(const app::Point& at)
 {
     const app::Page& page = session_.now().page();
     clipping::Window edges = page.rectangle();
-    const app::Point at = canvas_.view().toDrawing({to.x(), to.y()});
     const double unit = page.millimetresPerUnit();
     for (const int axis : {0, 1}) {
         const int side = axis == 0 ? dragged_->across : dragged_->down;
@@ -213,6 +247,37 @@ void PageFrame::drag(const QPointF& to)
         (side < 0 ? edges.min : edges.max)[axis] = fixed + side * millimetres / unit;
     }
     editing_.change(app::withEdges(page, edges));
+}
+
+/// A whole number of millimetres; Shift: all four are alike.
+void PageFrame::dragMargin(const app::Point& at, Qt::KeyboardModifiers keys)
+{
+    const app::Page& page = session_.now().page();
+    const clipping::Window edges = page.rectangle();
+    const int axis = dragged_->across != 0 ? 0 : 1, side = dragged_->across + dragged_->down;
+    const double from = (side < 0 ? edges.min : edges.max)[axis];
+    const double margin =
+        std::max(0.0, std::round(side * (from - at[axis]) * page.millimetresPerUnit()));
+    app::PaperMargins margins = page.margins;
+    double* const sides[]{&margins.left, &margins.top, &margins.right, &margins.bottom};
+    const std::size_t own = std::size_t(axis + (side < 0 ? 0 : 2));
+    for (std::size_t i = 0; i < std::size(sides); ++i)
+        if (i == own || keys.testFlag(Qt::ShiftModifier))
+            *sides[i] = margin;
+    editing_.change(app::withMargins(page, margins)); // margins that meet are refused
+}
+
+/// The drawing seems to move, because the view moves with the page.
+void PageFrame::dragPage(const QPointF& to)
+{
+    app::Page page = session_.now().page();
+    app::View view = canvas_.view();
+    const QPointF by = std::exchange(last_, to) - to;
+    const app::Point step = app::Point(by.x(), by.y()) / view.zoom;
+    page.min += step;
+    view.centre += step;
+    canvas_.go(view);
+    editing_.change(app::Result<app::Page>::of(std::move(page)));
 }
 
 } // namespace ui

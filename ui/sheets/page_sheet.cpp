@@ -6,6 +6,7 @@
 #include "ui/files/files.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
+#include "ui/sheets/background_section.h"
 #include "ui/sheets/margins_section.h"
 #include "ui/sheets/page_frame.h"
 #include "ui/sheets/paper_section.h"
@@ -28,7 +29,7 @@ PageSheet::PageSheet(MainWindow& window)
 {
     setRemark(window.files().name());
     sections_ = {new PaperSection(session_, editing_), new ScaleSection(session_, editing_),
-                 new MarginsSection(session_, editing_)};
+                 new MarginsSection(session_, editing_), new BackgroundSection(session_, editing_)};
     for (PageSection* section : sections_) {
         body().addWidget(section);
         body().addWidget(rule(Qt::Horizontal));

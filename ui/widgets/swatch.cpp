@@ -5,6 +5,11 @@
 
 namespace ui {
 
+QColor screenColour(const app::Colour& colour)
+{
+    return {colour.red, colour.green, colour.blue, colour.alpha};
+}
+
 app::Colour plainColour(const QColor& colour)
 {
     return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())};

@@ -8,6 +8,7 @@ namespace ui {
 
 /// A colour as the drawing has it, without its opacity.
 app::Colour plainColour(const QColor& colour);
+QColor screenColour(const app::Colour& colour);
 
 /// Paints a colour as it is in the drawing. It gets an outline where it is hardly visible on the
 /// window (black in the dark look); no colour is a square with a stroke through it.

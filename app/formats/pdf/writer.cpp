@@ -120,8 +120,8 @@ void addPage(ObjectWriter& objects, std::size_t number, const Document& document
 
     Content content(options);
     content.place(scale, {-paper.corner.x * scale, size.y + paper.corner.y * scale});
-    if (options.background && options.background->alpha > 0)
-        content.paint(pageOf(paper, *options.background));
+    if (const auto colour = options.backgroundOf(document.page()); colour && colour->alpha > 0)
+        content.paint(pageOf(paper, *colour));
     visitSeen(document, [&](const Object& object) { content.paint(object); });
     objects.add(pageObject(size, userUnit, number + 1, content.resources()));
     objects.addStream(content.bytes());

@@ -252,4 +252,16 @@ Colour faded(Colour colour, double opacity)
     return colour;
 }
 
+std::string hexOf(const Colour& colour)
+{
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string hex = "#";
+    for (const std::uint8_t part : {colour.red, colour.green, colour.blue, colour.alpha}) {
+        hex += digits[part >> 4];
+        hex += digits[part & 15];
+    }
+    hex.resize(colour.alpha == 255 ? 7 : 9);
+    return hex;
+}
+
 } // namespace app::svg

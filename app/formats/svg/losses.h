@@ -235,9 +235,9 @@ inline constexpr LossKind unreadableSheets{
     QT_TRANSLATE_NOOP("Text", "divisions among sheets with a missing or invalid number")};
 
 inline constexpr LossKind unreadableScale{
-    QT_TRANSLATE_NOOP("Text", "scale, unit or margins of the page that are not valid"),
-    QT_TRANSLATE_NOOP("Text", "scales, units or margins of pages that are not valid"), false,
-    QT_TRANSLATE_NOOP("Text", "the usual ones are used"),
+    QT_TRANSLATE_NOOP("Text", "scale, unit, margins or background of the page that are not valid"),
+    QT_TRANSLATE_NOOP("Text", "scales, units, margins or backgrounds of pages that are not valid"),
+    false, QT_TRANSLATE_NOOP("Text", "the usual ones are used"),
     QT_TRANSLATE_NOOP("Text", "the usual ones are used")};
 
 inline constexpr LossKind invertedWindow{

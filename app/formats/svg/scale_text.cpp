@@ -3,6 +3,7 @@
 
 #include "app/base/number.h"
 #include "app/formats/svg/attribute_text.h"
+#include "app/formats/svg/colour.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/scanner.h"
 
@@ -54,12 +55,19 @@ void readElement(const Tree& tree, Node node, Page& page, Report& report)
     const auto take = [&](std::string_view name, auto read, auto& to) {
         return !tree.hasAttribute(node, name) || read(tree.attribute(node, name), to);
     };
+    const auto takeBackground = [](std::string_view text, PageBackground& background) {
+        const auto colour = parseColour(text);
+        background.colour = colour.value_or(background.colour);
+        return colour.has_value();
+    };
+    const bool background = take("background", takeBackground, page.background);
+    page.background.exported = tree.attribute(node, "export-background") == "yes";
     const bool ratio = take("scale", takeRatio, page.scale);
     const bool unit = take("unit", takeUnit, page.scale);
     const bool margins = take("margins", takeMargins, page.margins);
     page.margins.shown = tree.attribute(node, "show-margins") == "yes";
     report.turnTo(tree.line(node));
-    if (!ratio || !unit || !margins)
+    if (!ratio || !unit || !margins || !background)
         report.add(losses::unreadableScale);
 }
 
@@ -80,6 +88,10 @@ std::string scaleTextOf(const Page& page)
                         std::array{margins.left, margins.top, margins.right, margins.bottom});
     if (margins.shown)
         appendAttribute(text, "show-margins", "yes");
+    if (page.background.colour != PageBackground{}.colour)
+        appendAttribute(text, "background", hexOf(page.background.colour));
+    if (page.background.exported)
+        appendAttribute(text, "export-background", "yes");
     return text.empty() ? text : "<clearcut:page" + text + "/>";
 }
 

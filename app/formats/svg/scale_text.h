@@ -7,9 +7,10 @@
 
 #include <string>
 
-// The drawing's scale and the page's margins as an element of the root's metadata. What is as usual
-// is not written:
-//   <clearcut:page scale="50" unit="m" margins="20 10 10 10" show-margins="yes"/>
+// The drawing's scale, the page's margins and its background as an element of the root's metadata.
+// What is as usual is not written:
+//   <clearcut:page scale="50" unit="m" margins="20 10 10 10" show-margins="yes"
+//                  background="#f4ecd8" export-background="yes"/>
 // The margins are in millimetres on paper: left, top, right, bottom.
 
 namespace app::svg {
@@ -17,8 +18,8 @@ namespace app::svg {
 /// "" if everything is as usual.
 std::string scaleTextOf(const Page& page);
 
-/// Reads what Clearcut wrote into a file. A scale, a unit or margins that it could not have written
-/// are reported, and are as usual.
+/// Reads what Clearcut wrote into a file. A scale, a unit, margins or a background that it could
+/// not have written are reported, and are as usual.
 void readScale(const Tree& tree, Page& page, Report& report);
 
 } // namespace app::svg

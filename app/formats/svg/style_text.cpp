@@ -3,6 +3,7 @@
 
 #include "app/base/number.h"
 #include "app/formats/svg/attribute_text.h"
+#include "app/formats/svg/colour.h"
 #include "app/formats/svg/reader.h"
 
 #include <QBuffer>
@@ -18,13 +19,7 @@ void appendPaint(std::string& text, std::string_view name, const std::optional<C
         appendAttribute(text, name, "none");
         return;
     }
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string hex = "#";
-    for (const std::uint8_t part : {colour->red, colour->green, colour->blue}) {
-        hex += digits[part >> 4];
-        hex += digits[part & 15];
-    }
-    appendAttribute(text, name, hex);
+    appendAttribute(text, name, hexOf({colour->red, colour->green, colour->blue}));
     if (colour->alpha != 255) {
         std::string alpha;
         appendNumber(alpha, colour->alpha / 255.0, 3, 0, 1); // precise enough to give the same byte

@@ -100,7 +100,8 @@ private slots:
         const auto window = windowOf(document.objects()[0]);
         QVERIFY(std::get<RectangleShape>(window->shape).angle != 0);
         const PathShape back = pathOf(window->shape);
-        QVERIFY(back.path == path && back.recipe == recipe);
+        QVERIFY(back.path == path);
+        QVERIFY(makes(back.recipe, path.subpaths()));
     }
     void anEllipseThatIsTurnedHasItsEdgesOnIt()
     {

@@ -22,6 +22,9 @@ private slots:
         page.margins = {20, 10, 10.5, 10, true};
         QCOMPARE(app::pageText(page), "297 210 scale=50 unit=m margins=20,10,10.5,10 shown");
         QCOMPARE(app::pageFromText(app::pageText(page)), page);
+        page.background = {{1, 2, 3, 0}, true};
+        QVERIFY(app::pageText(page).endsWith("shown background=#01020300 exported"));
+        QCOMPARE(app::pageFromText(app::pageText(page)), page);
     }
     void thePaperOfAnyDrawingIsThatOfANewOne()
     {
@@ -39,7 +42,7 @@ private slots:
              {"", "A3", "0 297", "-1 297", "nan 297", "1e9 297", "420", "420 297 scale=0",
               "420 297 scale=nan", "420 297 scale=1e30", "420 297 unit=%", "420 297 unit=ell",
               "420 297 margins=1,2,3", "420 297 margins=1,2,3,x", "420 297 margins=400,0,400,0",
-              "420 297 tilted"})
+              "420 297 background=paper", "420 297 tilted"})
             QTest::newRow(text) << QString(text);
     }
     void damagedSettingsGiveTheUsualPage()

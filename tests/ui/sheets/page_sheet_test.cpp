@@ -4,6 +4,7 @@
 #include "ui/docks/window_panel.h"
 #include "ui/sheets/page_frame.h"
 #include "ui/sheets/sheets.h"
+#include "ui/widgets/colour_popup.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/sheet.h"
@@ -45,6 +46,13 @@ struct Desk : TestWindow {
     {
         const auto buttons = part<Segments>(row)->findChildren<QAbstractButton*>();
         QTest::mouseClick(buttons[number], Qt::LeftButton);
+    }
+    /// Near the lower right corner of the page, where nothing is drawn.
+    QColor colourOnPage() const
+    {
+        auto* frame = window->findChild<PageFrame*>("page-frame");
+        const QPoint at = (frame->square(1, 1) - QPointF(30, 12)).toPoint();
+        return window->canvas().paneSurface(0)->grab().toImage().pixelColor(at);
     }
     QString refusal() const
     {
@@ -152,6 +160,72 @@ private slots:
         desk.sheet()->leave();
         QCOMPARE(desk.paper(), app::Point(100, 100));
         QVERIFY(!frame->isVisible());
+    }
+    void theMarginsAreDragged()
+    {
+        Desk desk;
+        auto* frame = desk.window->findChild<PageFrame*>("page-frame");
+        desk.part<QAbstractButton>("show-margins")->click();
+        const double unit = desk.window->canvas().view().zoom / desk.page().millimetresPerUnit();
+        const auto drag = [&](int across, int down, double x, double y,
+                              Qt::KeyboardModifiers keys = {}) {
+            const QPointF from = frame->square(across, down, PageFrame::Edges::Margins);
+            const QPoint to = (from + QPointF(x, y) * unit).toPoint();
+            QTest::mousePress(frame, Qt::LeftButton, {}, from.toPoint());
+            QMouseEvent move(QEvent::MouseMove, to, frame->mapToGlobal(to), Qt::NoButton,
+                             Qt::LeftButton, keys);
+            QApplication::sendEvent(frame, &move);
+            QTest::mouseRelease(frame, Qt::LeftButton, keys, to);
+        };
+        drag(-1, 0, 5, 0);
+        QCOMPARE(desk.page().margins, (app::PaperMargins{15, 10, 10, 10, true}));
+        drag(0, 1, 0, -7);
+        QCOMPARE(desk.page().margins, (app::PaperMargins{15, 10, 10, 17, true}));
+        drag(0, -1, 0, -60); // beyond the edge
+        QCOMPARE(desk.page().margins.top, 0);
+        drag(1, 0, -300, 0); // they would meet
+        QCOMPARE(desk.page().margins.right, 10);
+        drag(1, 0, 6, 0, Qt::ShiftModifier);
+        QCOMPARE(desk.page().margins, (app::PaperMargins{4, 4, 4, 4, true}));
+        QCOMPARE(desk.window->session().history.count(), 1);
+    }
+    void draggedInsideThePageMovesBelowTheDrawing()
+    {
+        Desk desk;
+        auto* frame = desk.window->findChild<PageFrame*>("page-frame");
+        const app::Document before = desk.window->session().now();
+        const QPointF corner = frame->square(-1, -1);
+        const QPoint from = frame->square(0, 0).toPoint(), to = from + QPoint(40, 25);
+        QTest::mousePress(frame, Qt::LeftButton, {}, from);
+        QMouseEvent move(QEvent::MouseMove, to, frame->mapToGlobal(to), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QApplication::sendEvent(frame, &move);
+        QTest::mouseRelease(frame, Qt::LeftButton, {}, to);
+        const double zoom = desk.window->canvas().view().zoom;
+        const app::Point by = desk.page().min - before.page().min;
+        QVERIFY(std::abs(by.x + 40 / zoom) < 1e-9 && std::abs(by.y + 25 / zoom) < 1e-9);
+        QVERIFY((frame->square(-1, -1) - corner).manhattanLength() < 1e-6); // as it was seen
+        QVERIFY(desk.window->session().now().objects() == before.objects());
+        QTest::keyClick(desk.sheet(), Qt::Key_Escape);
+        QVERIFY(desk.window->session().now() == before);
+    }
+    void aBackgroundIsChosen()
+    {
+        Desk desk;
+        desk.pick("page-background", 1);
+        QCOMPARE(desk.page().background.colour.alpha, 0);
+        desk.part<QAbstractButton>("export-background")->click();
+        QVERIFY(desk.page().background.exported);
+        QCOMPARE(desk.page().exportedBackground()->alpha, 0);
+        desk.pick("page-background", 2); // opens the colours
+        auto* colours = desk.sheet()->findChild<ColourPopup*>();
+        QVERIFY(colours->isVisible());
+        emit colours->picked(app::Colour{0xf4, 0xec, 0xd8});
+        QCOMPARE(desk.page().background.colour, (app::Colour{0xf4, 0xec, 0xd8}));
+        QCOMPARE(desk.colourOnPage(), QColor(0xf4, 0xec, 0xd8));
+        desk.pick("page-background", 0);
+        QCOMPARE(desk.colourOnPage(), QColor(Qt::white));
+        QCOMPARE(desk.window->session().history.count(), 1);
     }
     void escapeLeavesThePageAsItWas_data()
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scale of a drawing and its margins in its file.
+// The scale of a drawing, its margins and its background in its file.
 #include <QTest>
 
 #include "tests/app/formats/svg/text.h"
@@ -34,11 +34,13 @@ private slots:
         app::Page page{{0, 0}, {14850, 10500}, {297, Unit::Mm}, {210, Unit::Mm}};
         page.scale = {50, Unit::Metre};
         page.margins = {20, 10, 10, 10, true};
+        page.background = {{0xf4, 0xec, 0xd8, 0x80}, true};
         app::Document document;
         document.apply({.page = page});
         const QByteArray text = textOf(document);
         QVERIFY(text.contains("<clearcut:page scale=\"50\" unit=\"m\" margins=\"20 10 10 10\" "
-                              "show-margins=\"yes\"/>"));
+                              "show-margins=\"yes\" background=\"#f4ecd880\" "
+                              "export-background=\"yes\"/>"));
         QVERIFY(text.contains("width=\"297mm\"") && text.contains("viewBox=\"0 0 14850 10500\""));
         const auto back = readText(text);
         QVERIFY(back.value && back.value->document.page() == page);
@@ -49,6 +51,7 @@ private slots:
         QVERIFY(!textOf(app::Document()).contains("clearcut:page"));
         QCOMPARE(read("").scale, app::DrawingScale{});
         QCOMPARE(read("").margins, app::PaperMargins{});
+        QCOMPARE(read("").background, app::PageBackground{});
         QVERIFY(report("").isEmpty());
     }
     void badNumbersAreReportedAndNotTaken_data()
@@ -60,13 +63,16 @@ private slots:
             QTest::addRow("unit %s", unit) << "unit='" + QByteArray(unit) + "'";
         for (const char* margins : {"", "1", "1 2 3", "1 2 3 4 5", "1 2 3 -4", "1 2 3 nan"})
             QTest::addRow("margins %s", margins) << "margins='" + QByteArray(margins) + "'";
+        for (const char* colour : {"", "#12", "paper", "currentColor", "none"})
+            QTest::addRow("background %s", colour) << "background='" + QByteArray(colour) + "'";
     }
     void badNumbersAreReportedAndNotTaken()
     {
         QFETCH(const QByteArray, attributes);
         QCOMPARE(read(attributes).scale, app::DrawingScale{});
         QCOMPARE(read(attributes).margins, app::PaperMargins{});
-        QVERIFY(report(attributes).contains("scale, unit or margins of the page"));
+        QCOMPARE(read(attributes).background, app::PageBackground{});
+        QVERIFY(report(attributes).contains("scale, unit, margins or background of the page"));
     }
     /// Other programs know no metres: they would not find the size of the page.
     void lengthsOfSvgHaveItsOwnUnits()
