@@ -149,6 +149,10 @@ std::vector<Option> writingOptions()
          "r2000|r12",
          Text::tr("Version of a DXF file (r2000). r12, for old programs and machines, has no "
                   "splines, true colours and line widths.")},
+        {{"plain"},
+         {},
+         Text::tr("Write nothing but SVG into an svg file: texts, shapes and layers are drawn, but "
+                  "no longer edited as such.")},
     };
 }
 
@@ -295,6 +299,11 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
     if (arguments.has(QStringLiteral("dxf")) && !output.format->takes.dxf)
         throw WrongUsage{Text::tr("--dxf: a file of type %1 is no DXF file. Leave out the option, "
                                   "or write a dxf file.")
+                             .arg(QLatin1StringView(output.format->key))};
+    output.options.plain = arguments.has(QStringLiteral("plain"));
+    if (output.options.plain && !output.format->takes.plain)
+        throw WrongUsage{Text::tr("--plain: a file of type %1 is no SVG file. Leave out the "
+                                  "option, or write an svg file.")
                              .arg(QLatin1StringView(output.format->key))};
     output.options.dpi = arguments.positive(QStringLiteral("dpi")).value_or(output.options.dpi);
     return output;

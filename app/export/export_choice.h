@@ -38,6 +38,7 @@ struct ExportChoice {
     int precision = -1;                 ///< WriteOptions::precision
     std::optional<Colour> background{}; ///< WriteOptions::background
     DxfVersion dxf = DxfVersion::R2000;
+    bool plain = false; ///< WriteOptions::plain
     friend bool operator==(const ExportChoice&, const ExportChoice&) = default;
 };
 

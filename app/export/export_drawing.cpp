@@ -69,6 +69,7 @@ WriteOptions writeOptionsOf(const ExportChoice& choice, const ClipRegion& region
         options.precision = choice.precision;
     if (format.takes.dxf)
         options.dxf = choice.dxf;
+    options.plain = format.takes.plain && choice.plain;
     options.wholePage = page.rectangle();
     if (region.keep == Keep::Inside)
         options.bounds = region.single();

@@ -91,6 +91,13 @@ const std::array members{
            [](const QString& text, ExportChoice& choice) {
                choice.dxf = text == QStringLiteral("r12") ? DxfVersion::R12 : DxfVersion::R2000;
            }},
+    Member{"svg",
+           [](const ExportChoice& choice) {
+               return choice.plain ? QStringLiteral("plain") : QStringLiteral("clearcut");
+           },
+           [](const QString& text, ExportChoice& choice) {
+               choice.plain = text == QStringLiteral("plain");
+           }},
 };
 
 QString field(const QString& text, int number) { return text.section(u'\t', number, number); }

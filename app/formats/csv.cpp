@@ -9,7 +9,7 @@ namespace app {
 Format csvFormat()
 {
     return {"csv",
-            Text::tr("Lines as a table"),
+            Text::tr("CSV table of lines"),
             csv::read,
             csv::write,
             Holds::SeparateLines,

@@ -21,7 +21,7 @@ Format svgFormat()
             .arg(countText(svg::deepestNesting), countText(svg::mostParts),
                  countText(Containers::mostLayers)),
         Text::tr("edit again"),
-        {.precision = true, .paper = true}};
+        {.precision = true, .paper = true, .plain = true}};
 }
 
 } // namespace app

@@ -54,7 +54,7 @@ QString readableFormats()
     QStringList names;
     for (const app::Format& format : app::formats())
         if (format.read)
-            names << app::latin(format.key).toUpper();
+            names << format.shortName();
     return names.join(QStringLiteral(", "));
 }
 

@@ -125,7 +125,7 @@ void ExportSheet::follow()
     for (QPushButton* button : {export_, copy_})
         button->setEnabled(live_->error().isEmpty());
     const auto& made = live_->made();
-    const QString name = app::latin(app::formatOf(live_->choice()).key).toUpper();
+    const QString name = app::formatOf(live_->choice()).shortName();
     const std::size_t paths = made ? made->facts.paths : 0;
     const QString written = paths == 1 ? Text::tr("%1, 1 path").arg(name)
                                        : Text::tr("%1, %2 paths").arg(name, app::countText(paths));

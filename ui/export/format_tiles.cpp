@@ -71,7 +71,7 @@ FormatTiles::FormatTiles(QWidget* parent)
     tiles_->setSpacing(6);
     for (std::size_t i = 0; i < formats_.size(); ++i) {
         const app::Format& format = *formats_[i];
-        auto* tile = new Tile(app::latin(format.key).toUpper(), format.purpose);
+        auto* tile = new Tile(format.shortName(), format.purpose);
         tile->setObjectName(QStringLiteral("export-as-") + app::latin(format.key));
         tile->setToolTip(format.limits.isEmpty()
                              ? format.name

@@ -26,7 +26,7 @@ constexpr std::array usualDpis{96, 150, 300, 600};
 constexpr int mostDecimals = 12;
 constexpr app::Colour white{255, 255, 255}, nothing{255, 255, 255, 0};
 enum Ground : std::uint8_t { None, White, Own };
-enum RowOf : std::uint8_t { Version, Paper, Resolution, Refusal, Background, Decimals };
+enum RowOf : std::uint8_t { Version, Kind, Paper, Resolution, Refusal, Background, Decimals };
 
 QStringList dpiTexts()
 {
@@ -36,11 +36,11 @@ QStringList dpiTexts()
     return texts;
 }
 
-Ground groundOf(const app::ExportChoice& choice, const app::Format& format)
+Ground groundOf(const std::optional<app::Colour>& background, const app::Format& format)
 {
-    if (!choice.background)
+    if (!background)
         return format.takes.dpi ? White : None;
-    return choice.background->alpha == 0 ? None : *choice.background == white ? White : Own;
+    return background->alpha == 0 ? None : *background == white ? White : Own;
 }
 
 } // namespace
@@ -48,6 +48,7 @@ Ground groundOf(const app::ExportChoice& choice, const app::Format& format)
 OptionsSection::OptionsSection(app::LiveExport& live, QWidget* parent)
     : ExportSection({}, parent), live_(live),
       version_(new Segments(Text::tr("Version"), {Text::tr("R2000"), Text::tr("R12")})),
+      kind_(new Segments(Text::tr("Kind"), {Text::tr("Clearcut drawing"), Text::tr("Plain")})),
       paper_(new Segments(Text::tr("Paper"), {Text::tr("As the area"), Text::tr("Whole page")})),
       dpis_(new Segments(Text::tr("Resolution"), dpiTexts())),
       background_(new Segments(Text::tr("Background"),
@@ -56,6 +57,7 @@ OptionsSection::OptionsSection(app::LiveExport& live, QWidget* parent)
       decimals_(new QSpinBox), colours_(new ColourPopup(this))
 {
     addVersion();
+    addKind();
     addPaper();
     addResolution();
     addBackground();
@@ -79,6 +81,17 @@ void OptionsSection::addVersion()
     rows_.push_back(addRow(Text::tr("Version"), {version_}));
     connect(version_, &Segments::picked, this, [this](int chosen) {
         change([&](app::ExportChoice& choice) { choice.dxf = app::DxfVersion(chosen); });
+    });
+}
+
+void OptionsSection::addKind()
+{
+    kind_->setObjectName(QStringLiteral("export-svg"));
+    kind_->setTips({Text::tr("Texts, shapes and layers can be edited again, here and in Inkscape"),
+                    Text::tr("Nothing but SVG, for other programs and the web")});
+    rows_.push_back(addRow(Text::tr("Kind"), {kind_}));
+    connect(kind_, &Segments::picked, this, [this](int chosen) {
+        change([&](app::ExportChoice& choice) { choice.plain = chosen == 1; });
     });
 }
 
@@ -152,7 +165,7 @@ void OptionsSection::takeBackground(int chosen)
             choice.background = chosen == White ? white : nothing;
         });
     follow(); // until a colour is picked
-    colours_->open(*background_, {{}, app::recentColours(QSettings()), live_.choice().background});
+    colours_->open(*background_, {{}, app::recentColours(QSettings()), live_.background()});
 }
 
 void OptionsSection::addDecimals()
@@ -172,7 +185,7 @@ void OptionsSection::addDecimals()
 
 void OptionsSection::showBackground(const app::Format& format)
 {
-    background_->choose(groundOf(live_.choice(), format));
+    background_->choose(groundOf(live_.background(), format));
     background_->setTips({format.takes.dpi ? Text::tr("Nothing behind the drawing")
                                            : Text::tr("Nothing behind the drawing: the paper"),
                           Text::tr("A white page behind the drawing"),
@@ -183,8 +196,9 @@ void OptionsSection::follow()
 {
     const app::ExportChoice& choice = live_.choice();
     const app::Format& format = app::formatOf(choice);
-    setTitle(app::latin(format.key).toUpper());
+    setTitle(format.shortName());
     version_->choose(int(choice.dxf));
+    kind_->choose(choice.plain ? 1 : 0);
     paper_->choose(int(choice.paper));
     const auto usual = std::ranges::find(usualDpis, choice.dpi);
     usual == usualDpis.end() ? dpis_->chooseNone() : dpis_->choose(int(usual - usualDpis.begin()));
@@ -195,6 +209,7 @@ void OptionsSection::follow()
     decimals_->setValue(choice.precision);
     frame_->hide();
     rows_[Version].setVisible(format.takes.dxf);
+    rows_[Kind].setVisible(format.takes.plain);
     rows_[Paper].setVisible(format.takes.paper);
     rows_[Resolution].setVisible(format.takes.dpi);
     rows_[Refusal].setVisible(false);

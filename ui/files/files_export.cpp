@@ -119,7 +119,7 @@ void Files::copyExport(const app::ExportJob& job)
                     app::copiedFile(format.key, *made->value).release());
                 emit told(
                     {Message::Kind::Done, Text::tr("Copied as %1. Paste it in another program.")
-                                              .arg(app::latin(format.key).toUpper())});
+                                              .arg(format.shortName())});
             },
             InBackground::Cancel::Drops);
     });

@@ -25,7 +25,7 @@ QStringList namesOf(const std::vector<const app::Format*>& formats)
 {
     QStringList names;
     for (const app::Format* format : formats)
-        names << app::latin(format->key).toUpper();
+        names << format->shortName();
     return names;
 }
 

@@ -61,7 +61,7 @@ public:
     /// The drawing is written `scale` times as large, by a group around everything.
     DrawingWriter(const Document& document, QIODevice& out, const WriteOptions& options,
                   double scale)
-        : document_(document), out_(out), outlines_(options), scale_(scale)
+        : document_(document), out_(out), outlines_(options), plain_(options.plain), scale_(scale)
     {
     }
 
@@ -89,10 +89,11 @@ private:
         const About& about = document_.about();
         text_ += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
         appendLine(about.comments);
-        text_ += "<svg xmlns=\"http://www.w3.org/2000/svg\""
-                 " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
-                 " xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\""
-                 " xmlns:clearcut=\"urn:clearcut:1\"";
+        text_ += "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+        if (!plain_)
+            text_ += " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
+                     " xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\""
+                     " xmlns:clearcut=\"urn:clearcut:1\"";
         appendName("id", about.id);
         const Point min = page.min * scale_, size = page.size * scale_;
         appendAttribute(text_, "width",
@@ -104,9 +105,15 @@ private:
         appendLine(about.title);
         appendLine(about.description);
         appendLine(about.metadata);
-        if (const std::string own =
-                textOf(document_.windows()) + textOf(page.guides) + textOf(page.sheets)
-                + (scale_ == 1 ? scaleTextOf(page) : std::string());
+        if (!plain_)
+            appendOwn(page);
+    }
+
+    void appendOwn(const Page& page)
+    {
+        if (const std::string own = textOf(document_.windows()) + textOf(page.guides)
+                                    + textOf(page.sheets)
+                                    + (scale_ == 1 ? scaleTextOf(page) : std::string());
             !own.empty())
             text_.append("<metadata>").append(own).append("</metadata>\n");
     }
@@ -146,6 +153,8 @@ private:
 
     void openContainer(const Container& container)
     {
+        if (plain_)
+            return openPlain(container);
         const bool isLayer = container.kind == Container::Kind::Layer;
         text_ += isLayer ? "<g inkscape:groupmode=\"layer\"" : "<g";
         bool isNamed = appendName("id", container.svgId);
@@ -159,6 +168,17 @@ private:
         appendName("clearcut:new-objects", container.newStyle);
         if (container.locked)
             appendAttribute(text_, "sodipodi:insensitive", "true");
+        if (!container.visible)
+            appendAttribute(text_, "display", "none");
+        text_ += ">\n";
+        appendLine(container.title);
+        appendLine(container.description);
+    }
+
+    void openPlain(const Container& container)
+    {
+        text_ += "<g";
+        appendName("id", container.svgId);
         if (!container.visible)
             appendAttribute(text_, "display", "none");
         text_ += ">\n";
@@ -210,7 +230,9 @@ private:
         const Particulars& particulars = object.particulars();
         if (!particulars.id.isEmpty())
             appendAttribute(text_, "id", escaped(particulars.id));
-        if (const std::string recipe = svg::textOf(particulars.recipe, path); !recipe.empty())
+        if (const std::string recipe =
+                plain_ ? std::string() : svg::textOf(particulars.recipe, path);
+            !recipe.empty())
             appendAttribute(text_, "clearcut:recipe", recipe);
         if (object.hidden())
             appendAttribute(text_, "display", "none");
@@ -237,6 +259,7 @@ private:
     const Document& document_;
     QIODevice& out_;
     OutlineText outlines_;
+    const bool plain_;
     const double scale_;
     std::string text_;
     bool failed_ = false;

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/content_of.h"
 #include "tests/test_class.h"
 
 namespace command_line_part_options_test {
@@ -67,8 +68,7 @@ private slots:
         // What is kept outside has no bounds but its own.
         QCOMPARE(run("clip", "out.svg", {"-w", "5,5,45,35", "-k", "outside", "--fit-paper"}).code,
                  0);
-        QCOMPARE(written("out.svg").page().rectangle(),
-                 (clipping::Window{{0, 49.5}, {100, 50.5}}));
+        QCOMPARE(written("out.svg").page().rectangle(), (clipping::Window{{0, 49.5}, {100, 50.5}}));
     }
     void aPictureIsTransparentOrColoured()
     {
@@ -85,6 +85,36 @@ private slots:
             runProgram("pdftoppm", {"-r", "25.4", "-png", "-singlefile", path("c.pdf"), path("c")});
         QCOMPARE(seen.code, 0);
         QCOMPARE(QImage(path("c.png")).pixelColor(90, 70), QColor(0, 128, 128));
+    }
+    void thePagesOwnBackgroundIsWrittenIfItIsExported()
+    {
+        for (const bool exported : {false, true}) {
+            QFile file(path("own.svg"));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("<svg xmlns='http://www.w3.org/2000/svg' xmlns:clearcut='urn:clearcut:1' "
+                       "width='9mm' height='9mm'><metadata><clearcut:page background='#008080' "
+                       "export-background='");
+            file.write(exported ? "yes'/></metadata>" : "no'/></metadata>");
+            file.write("<path d='M0 0 9 9' stroke='black'/></svg>");
+            file.close();
+            const auto made = clearcut(
+                QStringList{"convert", path("own.svg"), "-o", path("own.png"), "--dpi", "25.4"});
+            QVERIFY2(made.code == 0, made.err);
+            const QColor teal(0, 128, 128), white(Qt::white);
+            QCOMPARE(QImage(path("own.png")).pixelColor(8, 0), exported ? teal : white);
+            clearcut({"convert", path("own.svg"), "-o", path("own.pdf")});
+            runProgram("pdftoppm",
+                       {"-r", "25.4", "-png", "-singlefile", path("own.pdf"), path("p")});
+            QCOMPARE(QImage(path("p.png")).pixelColor(7, 1), exported ? teal : white);
+        }
+    }
+    void onlySvgIsPlain()
+    {
+        QCOMPARE(run("convert", "plain.svg", {"--plain"}).code, 0);
+        QVERIFY(!contentOf(path("plain.svg")).contains("inkscape"));
+        const auto pdf = run("convert", "plain.pdf", {"--plain"});
+        QCOMPARE(pdf.code, 2);
+        QVERIFY2(pdf.err.contains("--plain: a file of type pdf is no SVG file"), pdf.err);
     }
     void aWrongBackgroundIsRefused()
     {

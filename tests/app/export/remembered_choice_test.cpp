@@ -24,7 +24,8 @@ private slots:
                                   .dpi = 150.5,
                                   .precision = 3,
                                   .background = Colour{1, 171, 3, 0},
-                                  .dxf = DxfVersion::R12};
+                                  .dxf = DxfVersion::R12,
+                                  .plain = true};
         const auto read = choiceOf(textOf(choice));
         QVERIFY2(read == choice, qPrintable(textOf(choice)));
     }
@@ -36,6 +37,7 @@ private slots:
                  ExportChoice{.format = "png"});
         QCOMPARE(choiceOf("png dpi=1e99").value(), ExportChoice{.format = "png"});
         QCOMPARE(choiceOf("png dpi=nan").value(), ExportChoice{.format = "png"});
+        QCOMPARE(choiceOf("svg svg=fancy").value(), ExportChoice{});
         QCOMPARE(choiceOf("dxf dxf=r14").value(), ExportChoice{.format = "dxf"});
     }
     void eachFormatAndEachDrawingHasItsOwn()

@@ -51,6 +51,27 @@ private slots:
         QVERIFY(text.contains("xmlns:clearcut=\"urn:clearcut:1\""));
     }
 
+    void aPlainFileIsNothingButSvg()
+    {
+        const auto read = readText(
+            "<svg xmlns='http://www.w3.org/2000/svg' xmlns:clearcut='urn:clearcut:1' width='9mm' "
+            "height='9mm' viewBox='0 0 9 9'><metadata><clearcut:page scale='50'/>"
+            "<clearcut:window xmin='0' ymin='0' xmax='1' ymax='1'/></metadata>"
+            "<path stroke='black' d='M0 0 5 5'/><path stroke='black' display='none' "
+            "clearcut:recipe='rectangle 1 2 3 4' d='M1 2H4V6H1Z'/></svg>");
+        const app::Document& document = read.value->document;
+        const QByteArray usual = textOf(document), plain = textOf(document, {.plain = true});
+        QVERIFY(usual.contains("clearcut:recipe") && usual.contains("clearcut:window"));
+        for (const char* other : {"clearcut", "inkscape", "sodipodi"}) {
+            QVERIFY(usual.contains(other));
+            QVERIFY2(!plain.contains(other), plain);
+        }
+        const auto back = readText(plain);
+        QCOMPARE(back.value->document.objects().size(), 2u);
+        QVERIFY(back.value->document.objects()[1].hidden());
+        QVERIFY(back.value->report.empty());
+    }
+
     void elementsThatFit()
     {
         const app::Style black{.stroke = app::Colour{}};
