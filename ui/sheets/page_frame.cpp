@@ -49,9 +49,8 @@ PageFrame::PageFrame(Canvas& canvas, app::Session& session, app::PageEditing& ed
 void PageFrame::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    canvas_.setHint(
-        Text::tr("Drag an edge: own size. Drag a margin: Shift changes all four. Drag "
-                 "inside: move the drawing on the page. Esc: leave the page as it was."));
+    canvas_.setHint(Text::tr("Drag an edge or a margin (Shift: all four). Drag inside: move the "
+                             "drawing on the page. Esc: as it was."));
 }
 
 void PageFrame::hideEvent(QHideEvent* event)
@@ -211,7 +210,7 @@ void PageFrame::mouseMoveEvent(QMouseEvent* event)
         return drag(event->position(), event->modifiers());
     const auto over = squareAt(event->position());
     over ? setCursor(cursorShapes[std::size_t(4 + over->across + 3 * over->down)]) : unsetCursor();
-    event->ignore(); // the canvas shows where the pointer is
+    event->setAccepted(over.has_value()); // nothing below it seems to be grasped
 }
 
 void PageFrame::mouseReleaseEvent(QMouseEvent* event)
