@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/name_match.h"
 
+#include "app/base/synonyms.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -134,8 +136,11 @@ std::optional<NameMatch> matchName(const QString& typed, const QString& name)
         return NameMatch{};
     if (auto match = matchSpelled(text, name))
         return match;
-    const QString british = inBritishSpelling(text);
-    return british == text ? std::nullopt : matchSpelled(british, name);
+    for (const QString& other : {inBritishSpelling(text), inProgramWords(text)})
+        if (other != text)
+            if (auto match = matchSpelled(other, name))
+                return match;
+    return std::nullopt;
 }
 
 } // namespace app

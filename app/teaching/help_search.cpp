@@ -2,6 +2,7 @@
 #include "app/teaching/help_search.h"
 
 #include "app/base/name_match.h"
+#include "app/base/synonyms.h"
 #include "app/base/text.h"
 #include "app/teaching/manual.h"
 
@@ -86,17 +87,23 @@ std::optional<Found> inCommands(const QString& typed, const HelpPage& page,
     return best;
 }
 
-/// Each word is somewhere on the page.
+/// Each word, or the program's word for it, is somewhere on the page.
 std::optional<Found> inText(const QStringList& words, const HelpPage& page)
 {
     int places = 0;
-    for (const QString& word : words) {
-        const auto count = page.text.count(word, Qt::CaseInsensitive);
-        if (count == 0 && !page.title.contains(word, Qt::CaseInsensitive))
+    qsizetype first = -1; // of the first word
+    for (const QString& typed : words) {
+        const auto isThere = [&page](const QString& word) {
+            return page.text.contains(word, Qt::CaseInsensitive)
+                   || page.title.contains(word, Qt::CaseInsensitive);
+        };
+        const QString word = isThere(typed) ? typed : inProgramWords(typed);
+        if (!isThere(word))
             return std::nullopt;
-        places += int(count);
+        places += int(page.text.count(word, Qt::CaseInsensitive));
+        if (&typed == &words.front())
+            first = page.text.indexOf(word, 0, Qt::CaseInsensitive);
     }
-    const qsizetype first = page.text.indexOf(words.front(), 0, Qt::CaseInsensitive);
     return Found{std::min(places, mostPlaces), first < 0 ? QString() : excerpt(page.text, first)};
 }
 

@@ -14,6 +14,8 @@ const app::HelpCommands& commands()
 {
     static const app::HelpCommands all{{"crop", {"Crop to windows", {"Ctrl+Shift+X"}}},
                                        {"group", {"Group", {"Ctrl+G"}}},
+                                       {"rotate", {"Rotate", {"O"}}},
+                                       {"delete", {"Delete", {"Del"}}},
                                        {"ungroup", {"Ungroup", {"Ctrl+Shift+G"}}}};
     return all;
 }
@@ -97,6 +99,18 @@ private slots:
         QVERIFY(links("grid zebra").isEmpty());
         for (const QString& nothing : {QString(), QStringLiteral("  "), QStringLiteral("xyzzy")})
             QVERIFY(links(nothing).isEmpty());
+    }
+
+    // A newcomer's words.
+    void otherWordsFindThePage()
+    {
+        for (const char* word : {"turn", "spin", "Turn", "rotate"})
+            QCOMPARE(links(word).value(0), QString("transform.md"));
+        for (const char* word : {"erase", "trash"})
+            QCOMPARE(links(word).value(0), QString("select.md"));
+        QVERIFY(links("oval").contains("shapes.md")); // in the text
+        for (const char* word : {"stretch", "mirror", "tutorial", "freehand", "vertex"})
+            QVERIFY2(!links(word).isEmpty(), word);
     }
 
     void hostileTextFindsNothing()
