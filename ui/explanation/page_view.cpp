@@ -6,14 +6,17 @@
 #include "app/lessons/reading.h"
 #include "app/teaching/manual.h"
 #include "app/teaching/page_figure.h"
+#include "ui/explanation/drawn_pictures.h"
 #include "ui/explanation/page_style.h"
 #include "ui/look/focus_ring.h"
 #include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QDir>
+#include <QFile>
 #include <QKeyEvent>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextFrame>
@@ -39,6 +42,14 @@ QImage widthOf(const QImage& picture, int width, double ratio)
     return image;
 }
 
+/// A picture of the whole window, of which there may be one in the dark theme, NAME-dark.png: to
+/// draw it would take a window of its own, for far longer than a frame.
+QImage stored(const QString& file, app::Ground ground)
+{
+    const QString dark = file.chopped(4) + QStringLiteral("-dark.png");
+    return QImage(ground == app::Ground::Dark && QFile::exists(dark) ? dark : file);
+}
+
 // For printing.
 void addFigure(QTextDocument& paper, const clipping::Algorithm& algorithm)
 {
@@ -50,6 +61,12 @@ void addFigure(QTextDocument& paper, const clipping::Algorithm& algorithm)
 
 void addPictures(QTextDocument& paper, const QString& markdown)
 {
+    static const QRegularExpression drawn(QStringLiteral("\\]\\((sample:[^)]+)\\)"));
+    for (auto all = drawn.globalMatch(markdown); all.hasNext();) {
+        const QString address = all.next().captured(1);
+        paper.addResource(QTextDocument::ImageResource, QUrl(address),
+                          DrawnPictures::now(address, figureWidth, printRatio));
+    }
     for (const QString& name : QDir(pictures).entryList())
         if (markdown.contains(name))
             paper.addResource(QTextDocument::ImageResource,
@@ -59,7 +76,7 @@ void addPictures(QTextDocument& paper, const QString& markdown)
 
 } // namespace
 
-PageView::PageView(QWidget* parent) : QTextBrowser(parent)
+PageView::PageView(QWidget* parent) : QTextBrowser(parent), drawn_(new DrawnPictures(this))
 {
     setFrameShape(QFrame::NoFrame);
     setOpenLinks(false);
@@ -67,6 +84,7 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent)
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &PageView::setAnew);
+    connect(drawn_, &DrawnPictures::drawn, this, &PageView::setAnew);
     setAccessibleName(Text::tr("Page"));
     connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
     connect(this, &QTextBrowser::historyChanged, this,
@@ -114,13 +132,15 @@ QVariant PageView::loadResource(int type, const QUrl& url)
     if (url.scheme() == QStringLiteral("figure"))
         return app::pageFigure(url.toString(), groundOf(palette()), columnWidth(),
                                devicePixelRatioF());
+    if (url.scheme() == QStringLiteral("sample"))
+        return drawn_->picture(url.toString(), columnWidth(), devicePixelRatioF());
     if (const auto* algorithm = app::algorithmOfPage(url.path()))
         return app::readingOf(*algorithm).toUtf8();
     if (const auto page = app::manualPage(app::topicOfPage(url.path())))
         return page->markdown.toUtf8();
     if (url.path().startsWith(QStringLiteral("pictures/")))
-        return widthOf(QImage(QStringLiteral(":/manual/") + url.path()), columnWidth(),
-                       devicePixelRatioF());
+        return widthOf(stored(QStringLiteral(":/manual/") + url.path(), groundOf(palette())),
+                       columnWidth(), devicePixelRatioF());
     return type == QTextDocument::ImageResource ? QVariant()
                                                 : QTextBrowser::loadResource(type, url);
 }

@@ -10,6 +10,8 @@
 
 namespace ui {
 
+class DrawnPictures;
+
 /// A page of an algorithm or of the manual: lines of a comfortable length, figures painted by the
 /// program in the palette's colours. It follows links to other pages and signals all other links.
 /// It goes back and forward like a browser.
@@ -60,6 +62,7 @@ private:
     void setAnew();
 
     int zoom_ = 0;
+    DrawnPictures* drawn_;
     QTimer soon_;
 };
 

@@ -59,7 +59,7 @@ private slots:
         QVERIFY(page.has_value());
         for (auto links = link.globalMatch(page->markdown); links.hasNext();) {
             const QString target = links.next().captured(1);
-            const bool known = target.startsWith("https://") || QFile::exists(":/manual/" + target)
+            const bool known = target.startsWith("https://") || target.startsWith("sample:") || QFile::exists(":/manual/" + target)
                                || !app::topicOfPage(target.section('#', 0, 0)).isEmpty();
             QVERIFY2(known, qPrintable(target));
         }
@@ -72,8 +72,12 @@ private slots:
             all += app::manualPage(topic)->markdown;
         const QStringList pictures = files(QStringLiteral("pictures"));
         QVERIFY(!pictures.isEmpty());
-        for (const QString& picture : pictures)
+        for (QString picture : pictures) {
+            const bool isDark = picture.endsWith("-dark.png"); // beside the light one
+            QVERIFY(!isDark || pictures.contains(QString(picture).replace("-dark", "")));
+            picture.replace("-dark.png", ".png");
             QVERIFY2(all.contains("](pictures/" + picture + ')'), qPrintable(picture));
+        }
     }
 
     void onlyNamesOfPagesAreTopics()
