@@ -40,8 +40,11 @@ std::optional<ManualPage> manualPage(const QString& topic)
     static const QRegularExpression explains(QStringLiteral("<!-- explains:([^>]*)-->"));
     const QStringList commands =
         explains.match(markdown).captured(1).simplified().split(u' ', Qt::SkipEmptyParts);
+    static const QRegularExpression shows(QStringLiteral("<!-- shows:(.*?)-->"),
+                                          QRegularExpression::DotMatchesEverythingOption);
+    const QString shown = shows.match(markdown).captured(1).trimmed();
     markdown = withoutComments(markdown);
-    return ManualPage{topic, markdown.section(u'\n', 0, 0).mid(2), markdown, commands};
+    return ManualPage{topic, markdown.section(u'\n', 0, 0).mid(2), markdown, commands, shown};
 }
 
 std::vector<ManualPart> manualParts()

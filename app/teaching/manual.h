@@ -17,6 +17,7 @@ struct ManualPage {
     QString title;
     QString markdown;       ///< without comments; links to other pages are "TOPIC.md"
     QStringList explains{}; ///< the commands, by key, whose page this is
+    QString shows{};        ///< its steps as the program performs them (shown_steps.h); or empty
 };
 
 /// A part of the index: its heading and the topics below it.

@@ -138,6 +138,26 @@ MainWindow* Desk::unused(MainWindow& asking)
     return found == open_.end() ? nullptr : found->window;
 }
 
+/// For one more drawing; the window that asks tells if there is none.
+bool Desk::hasRoom(MainWindow& asking) const
+{
+    if (count() < most_)
+        return true;
+    asking.tell({Message::Kind::Warning,
+                 Text::tr("%1 drawings are open, and no more can be. Close one first (Ctrl+W).")
+                     .arg(most_)});
+    return false;
+}
+
+MainWindow* Desk::addEmpty()
+{
+    if (!hasRoom(current()))
+        return nullptr;
+    MainWindow& window = *add().window;
+    showWindow(window);
+    return &window;
+}
+
 Files* Desk::placeFor(MainWindow& from, const QString& path)
 {
     MainWindow& asking = numberOf(from) == open_.size() ? current() : from; // it is being closed
@@ -158,12 +178,8 @@ Files* Desk::placeFor(MainWindow& from, const QString& path)
             --current_;
         move(int(place - (place > number)), int(number - (place < number)));
     }
-    if (!window && count() >= most_) {
-        asking.tell({Message::Kind::Warning,
-                     Text::tr("%1 drawings are open, and no more can be. Close one first (Ctrl+W).")
-                         .arg(most_)});
+    if (!window && !hasRoom(asking))
         return nullptr;
-    }
     if (!window)
         window = add().window;
     showWindow(*window);

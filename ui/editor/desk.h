@@ -48,6 +48,7 @@ public:
 
     int count() const override { return int(open_.size()); }
     void showNext(int by) override;
+    MainWindow* addEmpty() override;
     void close(MainWindow& window) override;
     void closeTab(int number);
     void reopen() override;
@@ -81,6 +82,7 @@ private:
     Recovery& placeToRecover(const QString& path);
     Files* placeFor(MainWindow& asking, const QString& path);
     MainWindow* unused(MainWindow& asking);
+    bool hasRoom(MainWindow& asking) const;
     void addRecovery(Open& open);
     void hideFloating(Open& open);
     void removeUnopened(MainWindow& window, const Message& why);

@@ -7,12 +7,14 @@
 #include "app/session/first_traced_line.h"
 #include "app/teaching/line_text.h"
 #include "app/teaching/manual.h"
+#include "app/teaching/shown_steps.h"
 #include "ui/explanation/help_contents.h"
 #include "ui/explanation/page_view.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
+#include "ui/widgets/buttons.h"
 #include "ui/widgets/elements.h"
 #include "ui/widgets/look_label.h"
 
@@ -43,7 +45,8 @@ void putOverPanels(QWidget& help, const QWidget& editor)
 ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
     : QDialog(&window, Qt::Window), session_(session),
       questions_(std::make_unique<Questions>(*this)), contents_(new HelpContents),
-      page_(new PageView), wanted_(new QLineEdit), found_(new ElidedLabel), strip_(new MessageStrip)
+      page_(new PageView), wanted_(new QLineEdit), found_(new ElidedLabel), strip_(new MessageStrip),
+      where_(new ElidedLabel)
 {
     setObjectName(QStringLiteral("explanation"));
     contents_->setFixedWidth(contentsWidth);
@@ -53,6 +56,7 @@ ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
     reading->addWidget(page_, 1);
     reading->addWidget(finder());
     reading->addWidget(strip_);
+    reading->addWidget(foot());
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
@@ -176,6 +180,33 @@ QWidget* ExplanationWindow::finder()
     return finder_;
 }
 
+/// *Show it to me*, and where.
+QWidget* ExplanationWindow::foot()
+{
+    foot_ = new QWidget;
+    auto* show = plainButton(Text::tr("Show it to me"));
+    show->setObjectName(QStringLiteral("show-steps"));
+    where_->setForegroundRole(QPalette::PlaceholderText);
+    connect(show, &QPushButton::clicked, this, [this] {
+        strip_->tell({});
+        if (const auto page = app::manualPage(page_->topic()))
+            emit showWanted(*page);
+    });
+    auto* row = new QHBoxLayout(foot_);
+    row->setContentsMargins(2 * space::dockMargin, space::labelToField, space::dockMargin,
+                            space::dockMargin);
+    row->setSpacing(space::labelToField);
+    row->addWidget(show);
+    row->addWidget(where_, 1);
+    foot_->hide();
+    return foot_;
+}
+
+void ExplanationWindow::tell(const QString& warning)
+{
+    strip_->tell({Message::Kind::Warning, warning});
+}
+
 void ExplanationWindow::show(const clipping::Algorithm& algorithm)
 {
     if (page_->algorithm() != &algorithm)
@@ -212,6 +243,9 @@ void ExplanationWindow::showPlace()
         return;
     setWindowTitle(Text::tr("Help: %1").arg(page_->title()));
     look_->setVisible(page_->algorithm());
+    const auto manual = app::manualPage(page_->topic());
+    foot_->setVisible(manual && !manual->shows.isEmpty());
+    where_->setWhole(foot_->isHidden() ? QString() : app::placeOfSteps(manual->shows));
     contents_->showPlace(page_->source().path());
     if (page_->topic() != inHand_)
         inHand_.clear();

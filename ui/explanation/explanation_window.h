@@ -4,6 +4,7 @@
 #include "app/hard_cases/hard_case.h"
 #include "app/session/session.h"
 #include "app/teaching/help_search.h"
+#include "app/teaching/manual.h"
 #include "clipping/algorithm.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
@@ -40,8 +41,10 @@ public:
     void takeInHand(const QString& topic);               ///< if the page follows it
     void setCommands(const app::HelpCommands& commands); ///< by which pages are found
     PageView& page() { return *page_; }
+    void tell(const QString& warning); ///< below the page; empty: nothing
 
 signals:
+    void showWanted(const app::ManualPage& page); ///< its steps, in a drawing of their own
     void editorWanted(); ///< in front, with its microscope
     void hardCaseWanted(const app::HardCase& hard);
     void failingWanted(const QString& variant); ///< the cases that this variant gets wrong
@@ -53,6 +56,7 @@ protected:
 private:
     QWidget* bar();
     QWidget* finder();
+    QWidget* foot();
     QToolButton* button(std::string_view icon, const QString& text, const QKeySequence& keys);
     void follow(const QUrl& link);
     void find(QTextDocument::FindFlags direction);
@@ -70,6 +74,8 @@ private:
     MessageStrip* strip_;
     QToolButton *back_ = nullptr, *forward_ = nullptr;
     QToolButton* look_ = nullptr; ///< on pages of algorithms
+    QWidget* foot_ = nullptr;     ///< on pages whose steps can be shown
+    ElidedLabel* where_;
     QString inHand_;              ///< the page that follows what is in hand; empty: none does
 };
 

@@ -11,6 +11,7 @@
 #include "ui/menus/palette.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/sheets/command_keys.h"
+#include "ui/showing/show_steps.h"
 #include "ui/tiles/tiles_page.h"
 #include "ui/widgets/sheet.h"
 #include "ui/window/main_window.h"
@@ -121,6 +122,11 @@ ExplanationWindow& OtherWindows::reader()
                 [this](const QString& variant) {
                     showHardCases();
                     hardCases_->chooseFailing(variant);
+                });
+        connect(explanation_, &ExplanationWindow::showWanted, this,
+                [this](const app::ManualPage& page) {
+                    if (const QString why = showSteps(window_, page); !why.isEmpty())
+                        explanation_->tell(why);
                 });
         connect(explanation_, &ExplanationWindow::editorWanted, &window_, &MainWindow::comeToFront);
         connect(&window_.canvas(), &Canvas::toolChanged, explanation_,

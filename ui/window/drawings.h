@@ -16,6 +16,8 @@ public:
     virtual int count() const = 0;
     virtual void showWindow(MainWindow& window) = 0;
     virtual void showNext(int by) = 0; ///< in a circle
+    /// A further, empty drawing, which is shown; null: no more can be open, which is told.
+    virtual MainWindow* addEmpty() = 0;
     /// Closes the drawing of a window, after a question about unsaved changes.
     virtual void close(MainWindow& window) = 0;
     virtual void reopen() = 0; ///< the file that was closed last

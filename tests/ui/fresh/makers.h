@@ -38,6 +38,7 @@
 #include "ui/properties/stroke_row.h"
 #include "ui/properties/style_panel.h"
 #include "ui/properties/style_popup.h"
+#include "ui/showing/show_bar.h"
 #include "ui/tiles/tiles_page.h"
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/message_strip.h"
@@ -102,6 +103,13 @@ inline QWidget* results()
     auto* shown = new Results({});
     shown->show(study);
     return shown;
+}
+
+inline QWidget* showBar()
+{
+    auto* bar = new ShowBar;
+    bar->say(2, 5, QStringLiteral("Drag beside the windows: one more"));
+    return bar;
 }
 
 inline QWidget* verdict()
@@ -188,6 +196,7 @@ inline std::vector<Maker> makers()
              widget.show();
              desk.canvas.settle(); // the times are those of the next frame
          }},
+        {"show bar", {620, 44}, [](Desk&) { return showBar(); }},
         {"workspaces", {400, 24}, [](Desk& desk) { return new WorkspaceTabs(desk.layout()); }},
         // Pages
         {"canvas",
