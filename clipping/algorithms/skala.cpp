@@ -16,12 +16,34 @@
 
 #include "clipping/algorithms/lines_and_rays/uses.h"
 #include "clipping/describe.h"
+#include "clipping/fixed_text.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
 #include "clipping/part.h"
 #include "clipping/polygon/uses.h"
 
 namespace clipping {
+
+namespace {
+
+constexpr std::string_view digits = "0123";
+/// The bits of edges 0 to 3 in an outcode.
+constexpr std::array cornerBits{outcode::bottom, outcode::right, outcode::top, outcode::left};
+
+/// Whether a pattern of corners can occur and crosses the window.
+constexpr bool isRow(std::size_t c) { return passages[c].enter != passages[c].leave; }
+
+/// "TAB1[0110] = 2", an entry of the tables at the end of the pseudo-code.
+constexpr void addEntry(auto& text, std::string_view table, std::size_t c, std::string_view value,
+                        std::string_view end)
+{
+    text.add(table), text.add("[");
+    for (std::size_t bit = 8; bit > 0; bit /= 2)
+        text.add((c & bit) != 0 ? "1" : "0");
+    text.add("] = "), text.add(value), text.add(end);
+}
+
+} // namespace
 
 struct Skala {
     static constexpr About about{
@@ -38,7 +60,7 @@ struct Skala {
     static constexpr auto line = &skalaLine;
     static constexpr auto ray = &skalaRay;
 
-    static constexpr std::string_view publishedCode = R"(
+    static constexpr std::string_view publishedSteps = R"(
 code1 = outcode(x1, y1),  code2 = outcode(x2, y2)  #codes
 if code1 | code2 == 0000  #inside
   accept the line from x1, y1 to x2, y2  #acceptWhole
@@ -78,18 +100,6 @@ X[0] = xmin,  Y[0] = ymin
 X[1] = xmax,  Y[1] = ymin
 X[2] = xmax,  Y[2] = ymax
 X[3] = xmin,  Y[3] = ymax
-TAB1[0001] = 0,  TAB2[0001] = 3,  MASK[0001] = BOTTOM
-TAB1[0010] = 0,  TAB2[0010] = 1,  MASK[0010] = BOTTOM
-TAB1[0011] = 1,  TAB2[0011] = 3,  MASK[0011] = RIGHT
-TAB1[0100] = 1,  TAB2[0100] = 2,  MASK[0100] = RIGHT
-TAB1[0110] = 0,  TAB2[0110] = 2,  MASK[0110] = BOTTOM
-TAB1[0111] = 2,  TAB2[0111] = 3,  MASK[0111] = TOP
-TAB1[1000] = 2,  TAB2[1000] = 3,  MASK[1000] = TOP
-TAB1[1001] = 0,  TAB2[1001] = 2,  MASK[1001] = BOTTOM
-TAB1[1011] = 1,  TAB2[1011] = 2,  MASK[1011] = RIGHT
-TAB1[1100] = 1,  TAB2[1100] = 3,  MASK[1100] = RIGHT
-TAB1[1101] = 0,  TAB2[1101] = 1,  MASK[1101] = BOTTOM
-TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
 )";
     /// A point or a line in homogeneous coordinates: x*x' + y*y' + w*w' is 0 where they meet.
     template <class T>
@@ -97,13 +107,41 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
         T x, y, w;
     };
 
-    // The paper's table; MASK has bits of outcodes. Its rows 0, 5, 10 and 15 are empty: 0 and 15
-    // are never looked up, and 5 and 10 cannot occur, because rounding keeps the sums in F in
-    // order.
-    static constexpr std::array TAB1{0, 0, 0, 1, 1, 0, 0, 2, 2, 0, 0, 1, 1, 0, 0, 0};
-    static constexpr std::array TAB2{0, 3, 1, 3, 2, 0, 2, 3, 3, 2, 0, 2, 3, 1, 3, 0};
-    static constexpr std::array MASK{0U, 4U, 4U, 2U, 2U, 0U, 4U, 8U,
-                                     8U, 4U, 0U, 2U, 2U, 4U, 4U, 0U};
+    /// The paper's table: of the edges that a line crosses, the first in its order, the other, and
+    /// the first one's bit in an outcode.
+    static constexpr auto TAB1 = [] {
+        std::array<int, 16> first{};
+        for (std::size_t c = 0; c < 16; ++c)
+            first[c] =
+                passages[c].enter < passages[c].leave ? passages[c].enter : passages[c].leave;
+        return first;
+    }();
+    static constexpr auto TAB2 = [] {
+        std::array<int, 16> second{};
+        for (std::size_t c = 0; c < 16; ++c)
+            second[c] = passages[c].enter + passages[c].leave - TAB1[c];
+        return second;
+    }();
+    static constexpr auto MASK = [] {
+        std::array<unsigned, 16> mask{};
+        for (std::size_t c = 0; c < 16; ++c)
+            mask[c] = isRow(c) ? cornerBits[std::size_t(TAB1[c])] : 0;
+        return mask;
+    }();
+    static constexpr auto publishedText = [] {
+        constexpr std::array names{"BOTTOM", "RIGHT", "TOP", "LEFT"};
+        FixedText<publishedSteps.size() + 12 * 60> text;
+        text.add(publishedSteps);
+        for (std::size_t c = 0; c < 16; ++c)
+            if (isRow(c)) {
+                addEntry(text, "TAB1", c, digits.substr(std::size_t(TAB1[c]), 1), ",  ");
+                addEntry(text, "TAB2", c, digits.substr(std::size_t(TAB2[c]), 1), ",  ");
+                addEntry(text, "MASK", c, names[std::size_t(TAB1[c])], "\n");
+            }
+        return text;
+    }();
+    static constexpr std::string_view publishedCode = publishedText.view();
+
     /// The pseudo-code's names of the corners' bits.
     static constexpr std::array bits{"c[0]", "c[1]", "c[2]", "c[3]"};
     /// The labels of the edges' vectors.
@@ -174,7 +212,7 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
     }
 
     // held(v) is v clamped to the window's range on its axis.
-    static constexpr std::string_view correctedCode = R"(
+    static constexpr std::string_view correctedSteps = R"(
 code1 = outcode(x1, y1),  code2 = outcode(x2, y2)  #codes
 if code1 | code2 == 0000  #inside
   accept the line from x1, y1 to x2, y2  #acceptWhole
@@ -207,19 +245,20 @@ if code1 != 0000  #end1
   else: x1 = held(x1 + f[i]/dy),  y1 = ey[i]  #level1
 accept the line from x1, y1 to x2, y2  #accept
 ey[0] = ymin,  ex[1] = xmax,  ey[2] = ymax,  ex[3] = xmin
-enter[0001] = 0,  leave[0001] = 3
-enter[0010] = 1,  leave[0010] = 0
-enter[0011] = 1,  leave[0011] = 3
-enter[0100] = 2,  leave[0100] = 1
-enter[0110] = 2,  leave[0110] = 0
-enter[0111] = 2,  leave[0111] = 3
-enter[1000] = 3,  leave[1000] = 2
-enter[1001] = 0,  leave[1001] = 2
-enter[1011] = 1,  leave[1011] = 2
-enter[1100] = 3,  leave[1100] = 1
-enter[1101] = 0,  leave[1101] = 1
-enter[1110] = 3,  leave[1110] = 0
 )";
+    static constexpr auto correctedText = [] {
+        FixedText<correctedSteps.size() + 12 * 40> text;
+        text.add(correctedSteps);
+        for (std::size_t c = 0; c < 16; ++c)
+            if (isRow(c)) {
+                const auto [enter, leave] = passages[c];
+                addEntry(text, "enter", c, digits.substr(std::size_t(enter), 1), ",  ");
+                addEntry(text, "leave", c, digits.substr(std::size_t(leave), 1), "\n");
+            }
+        return text;
+    }();
+    static constexpr std::string_view correctedCode = correctedText.view();
+
     template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
                                                               const BasicWindow<T>& w, Step&& step)
