@@ -75,7 +75,7 @@ QString testText(const Ranking& ranking, std::size_t thing)
 {
     if (thing == ranking.order.front() || !ranking.told)
         return {};
-    const PairTest& test = ranking.fastest[thing];
+    const PairTest& test = ranking.againstLowest(thing);
     return u'\n'
            + Text::tr("%1 times the lowest median, p = %2")
                  .arg(numberText(test.ratio, 3), pText(test.p));

@@ -3,6 +3,7 @@
 #include "app/base/text.h"
 #include "app/command_line/bench_files.h"
 #include "app/command_line/bench_plan.h"
+#include "app/command_line/bench_runs.h"
 #include "app/command_line/command.h"
 #include "app/command_line/table.h"
 #include "app/command_line/terminal.h"
@@ -14,7 +15,8 @@
 namespace app {
 namespace {
 
-constexpr auto eachRun = "each-run", verbose = "verbose";
+constexpr auto eachRun = "each-run", verbose = "verbose", processes = "processes",
+               oneRun = "one-run";
 
 /// The measures without --measure: all of them for a report that people read.
 QString usualMeasures(const ParsedArguments& arguments, bool forPeople)
@@ -31,7 +33,10 @@ QString usualMeasures(const ParsedArguments& arguments, bool forPeople)
 Study measured(const Plan& plan)
 {
     ProgressLine line;
-    return *study(plan, line.follower());
+    if (plan.trials.empty() || !plan.trials.front().options.inProcesses)
+        return *study(plan, line.follower());
+    auto records = recordsInProcesses(plan, line.follower());
+    return *study(plan, std::move(records));
 }
 
 Table analysed(const Analysis& analysis, const PlannedTrial& trial)
@@ -111,6 +116,10 @@ void bench(const ParsedArguments& arguments)
     plan.explained = explanationOf(plan);
     if (!arguments.has(QStringLiteral("runs")))
         takeUsualRuns(plan);
+    if (const auto run = arguments.count(QLatin1StringView(oneRun), 0, mostRuns - 1))
+        return printRun(*study(planOfRun(plan, *run)));
+    for (PlannedTrial& trial : plan.trials)
+        trial.options.inProcesses = arguments.has(QLatin1StringView(processes));
     const PlannedTrial explained = *plan.explained;
     if (wanted.measures.empty())
         plan.trials.clear();
@@ -132,7 +141,12 @@ std::vector<Option> benchOptions()
         std::ranges::move(more, std::back_inserter(all));
     };
     add(experimentOptions());
-    add({{{eachRun}, {}, Text::tr("One row for each run instead of a summary.")},
+    add({{{processes},
+          {},
+          Text::tr("Make each run in a process of its own, so that the confidence intervals cover "
+                   "more than the noise of the clock; takes about twice as long.")},
+         {{oneRun}, "N", Text::tr("Print the data of this run alone, which --processes asks for.")},
+         {{eachRun}, {}, Text::tr("One row for each run instead of a summary.")},
          {{"v", verbose},
           {},
           Text::tr("All columns and how it was measured, also in the text format.")}});

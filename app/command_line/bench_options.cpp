@@ -215,7 +215,9 @@ std::vector<Option> experimentOptions()
          "N",
          Text::tr("Number of runs before the measured ones, which do not count (1).")},
         {{"quick"}, {}, Text::tr("Take only 100000 lines.")},
-        {{"s", "seed"}, "N", Text::tr("Seed of the random lines (1).")},
+        {{"s", "seed"},
+         "N",
+         Text::tr("Seed of the random lines of the first run (1); each further run has the next.")},
         {{"scene"},
          "SCENE",
          Text::tr("%1, or file:PATH for the lines of a drawing (paper).")

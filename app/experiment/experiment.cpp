@@ -72,13 +72,15 @@ bool Bench::run(std::size_t r)
 {
     finding_ = r == 0;
     begin();
-    const LineSource source = options_.scene.begin(options_.field, options_.seed);
+    const std::uint64_t counted = r < options_.warmUps ? 0 : r - options_.warmUps;
+    const LineSource source =
+        options_.scene.begin(options_.field, options_.seed + options_.firstRun + counted);
     for (first_ = 0; first_ < options_.lines; first_ += blockSize) {
         fill(source);
         for (std::size_t i = 0; i < timings_.size(); ++i) {
             if (turns_.stopped())
                 return false;
-            turn(timings_[(r + first_ / blockSize + i) % timings_.size()]);
+            turn(timings_[(r + options_.firstRun + first_ / blockSize + i) % timings_.size()]);
             turns_.turnDone();
         }
     }
@@ -90,9 +92,11 @@ bool Bench::run(std::size_t r)
 
 void Bench::begin()
 {
-    for (Timing& timing : timings_)
+    for (Timing& timing : timings_) {
         for (auto* times : {&timing.generate, &timing.clip, &timing.draw})
             times->push_back(0);
+        timing.visible.push_back(0);
+    }
 }
 
 void Bench::fill(const LineSource& source)
@@ -155,6 +159,7 @@ void Bench::turn(Timing& timing)
     const double start = options_.clock.nanoseconds();
     const std::size_t visible = block_.clip(timing.variant);
     timing.clip.back() += options_.clock.nanoseconds() - start;
+    timing.visible.back() += visible;
     const auto pieces = block_.pieces(visible);
     if (target_) {
         target_->wipe();
@@ -182,12 +187,15 @@ void Bench::find(Timing& timing, std::span<const Clipped> pieces)
 
 void Bench::divide(std::size_t r)
 {
-    for (Timing& timing : timings_)
+    for (Timing& timing : timings_) {
         for (auto* times : {&timing.generate, &timing.clip, &timing.draw}) {
             times->back() /= double(options_.lines);
             if (r < options_.warmUps)
                 times->pop_back();
         }
+        if (r < options_.warmUps)
+            timing.visible.pop_back();
+    }
     exactPieces_ = {};
 }
 

@@ -16,13 +16,15 @@ struct ExperimentOptions {
     Field field{};
     std::uint64_t lines = 1'000'000; ///< at least one
     std::size_t runs = 10;           ///< at least one
+    std::size_t firstRun = 0;        ///< the number of the first counted run, if others are made
     std::size_t warmUps = 1;         ///< whole runs that are not counted, at least one
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;          ///< of the first counted run; each further run has the next
     Order order = Order::AsTheyCome;
     DrawTargetMaker target = nullptr;        ///< makes the draw target; null: nothing is drawn
     Precision precision = Precision::Double; ///< single: corrected forms only
     std::size_t threads = 1;                 ///< for each algorithm; at most mostThreads
     Clock clock = processorClock();          ///< the wall clock if there are several threads
+    bool inProcesses = false;                ///< each run was made by a process of its own
 };
 
 /// The clock for drawing: that of the options, or the wall clock if the draw target draws
@@ -36,7 +38,8 @@ struct Timing {
     std::vector<double> clip;
     std::vector<double> draw; ///< zeros if nothing is drawn
     Findings found{};
-    std::uint64_t pixels = 0; ///< checksum of everything drawn; 0 if nothing is drawn
+    std::uint64_t pixels = 0;             ///< checksum of everything drawn; 0 if nothing is drawn
+    std::vector<std::uint64_t> visible{}; ///< the number of visible lines, one number per run
 };
 
 /// One row of the catalogue of measures of a timing.
@@ -54,8 +57,10 @@ std::vector<Measure> measures();
 /// The paper's experiment, made fair: all lines of a scene are clipped at its window by every
 /// variant in every run, and drawn if there is a draw target. The lines come in blocks of a
 /// million, so that memory stays under 200 MB. The variants take turns block by block, and the
-/// first variant changes from block to block and from run to run. The first warm-up provides the
-/// findings. Empty if it was stopped.
+/// first variant changes from block to block and from run to run. Each counted run of a scene of
+/// random lines has lines of its own, so that the spread of the times covers other lines, too. The
+/// first warm-up has the lines of the first counted run, and provides the findings. Empty if it was
+/// stopped.
 std::optional<std::vector<Timing>> experiment(const ExperimentOptions& options,
                                               std::span<const Variant> variants,
                                               const Follower& follower = {});

@@ -57,18 +57,6 @@ PairTest theOtherWayRound(PairTest test)
     return test;
 }
 
-void testFastest(Ranking& ranking, PairedRuns runs)
-{
-    std::vector<PairTest*> family;
-    for (const std::size_t i : std::span(ranking.order).subspan(1)) {
-        ranking.fastest[i] = uncorrected(runs[i], runs[ranking.order.front()]);
-        family.push_back(&ranking.fastest[i]);
-    }
-    correct(family);
-    for (PairTest* test : family)
-        test->outcome = outcomeOf(*test);
-}
-
 void testPairs(Ranking& ranking, PairedRuns runs)
 {
     std::vector<PairTest*> family;
@@ -178,11 +166,9 @@ Ranking rankingOf(PairedRuns runs)
     Ranking ranking{.rounds = runs.front().size(),
                     .told = runs.front().size() >= leastRounds(n),
                     .order = orderOf(runs),
-                    .fastest = std::vector<PairTest>(n),
                     .pairs = std::vector(n, std::vector<PairTest>(n)),
                     .groups = {},
                     .ranks = std::vector<std::optional<int>>(n)};
-    testFastest(ranking, runs);
     testPairs(ranking, runs);
     if (!ranking.told)
         return ranking;
@@ -198,13 +184,13 @@ Ranking rankingOf(PairedRuns runs)
 bool Ranking::hasFastest() const
 {
     return std::ranges::all_of(order, [&](std::size_t i) {
-        return i == order.front() || fastest[i].outcome == Outcome::Different;
+        return i == order.front() || againstLowest(i).outcome == Outcome::Different;
     });
 }
 
 const PairTest& Ranking::againstLowest(std::size_t thing) const
 {
-    return hasFastest() ? fastest[thing] : pairs[thing][order.front()];
+    return pairs[thing][order.front()];
 }
 
 std::vector<std::size_t> Ranking::leaders() const

@@ -13,11 +13,9 @@ namespace app {
 /// of equal length, by round. At least one thing and one round.
 using PairedRuns = std::span<const std::vector<double>>;
 
-/// The family-wise error rate: among equal things, at most this share of families of tests finds
-/// any difference, provided that the tested hypotheses do not depend on the runs. That holds for
-/// all pairs, and for the claim that one thing is the fastest. The single tests against the lowest
-/// median, which these runs determine, may exceed it: with eleven equal things some p is below it
-/// in about one of ten experiments.
+/// The family-wise error rate: among equal things, at most this share of experiments finds any
+/// difference. The family is all pairs, so that it does not matter that the runs themselves decide
+/// which thing has the lowest median.
 inline constexpr double significance = 0.05;
 
 /// A relative difference below this is practically equal, however significant it is.
@@ -45,14 +43,12 @@ struct PairTest {
 };
 
 /// Which things differ significantly in their times, by the exact two-sided signed-rank test,
-/// paired by round. The tests of all pairs are one family, which gives ranks and letters. The tests
-/// of the lowest median against each other thing are another family, which decides whether that
-/// thing is the fastest: it is if all these tests are Different.
+/// paired by round. The tests of all pairs are one family, which decides everything that is said:
+/// ranks, letters, and which thing is the fastest.
 struct Ranking {
     std::size_t rounds = 0;
     bool told = false;              ///< there are leastRounds; else there are no ranks and letters
     std::vector<std::size_t> order; ///< indices of the things by ascending median
-    std::vector<PairTest> fastest;  ///< each thing against order.front()
     std::vector<std::vector<PairTest>> pairs; ///< [i][j]: thing i against thing j
     /// Compact letter display: the largest groups in which no pair is Different. Two things share a
     /// group if and only if they are not Different. Sorted by median, as are the members of each
@@ -62,9 +58,9 @@ struct Ranking {
     std::vector<std::optional<int>> ranks;
 
     /// Whether the thing with the lowest median is the fastest: all others are Different from it.
+    /// Then it has rank 1, and its letter alone.
     bool hasFastest() const;
-    /// The test that counts for a thing and the lowest median: from `fastest` if that thing is the
-    /// fastest, otherwise from `pairs`.
+    /// The test of a thing against the lowest median, one of all pairs.
     const PairTest& againstLowest(std::size_t thing) const;
     /// The thing with the lowest median, and those that are not Different from it by againstLowest,
     /// by median. A single leader is the fastest.

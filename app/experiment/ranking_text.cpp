@@ -39,7 +39,7 @@ QString pText(double p) { return QString::number(p, 'g', 3); }
 
 QString ratioToFastestText(const Ranking& ranking, std::size_t thing)
 {
-    const double ratio = ranking.fastest[thing].ratio;
+    const double ratio = ranking.againstLowest(thing).ratio;
     return thing == ranking.order.front() || !std::isfinite(ratio) ? QString()
                                                                    : QString::number(ratio, 'f', 3);
 }
@@ -47,7 +47,7 @@ QString ratioToFastestText(const Ranking& ranking, std::size_t thing)
 QString pToFastestText(const Ranking& ranking, std::size_t thing)
 {
     return thing == ranking.order.front() || !ranking.told ? QString()
-                                                           : pText(ranking.fastest[thing].p);
+                                                           : pText(ranking.againstLowest(thing).p);
 }
 
 QString tooFewRunsText(const Ranking& ranking)
@@ -69,9 +69,8 @@ QStringList rankingNotes(const Ranking& ranking)
     return {lettersMeaning()
             + Text::tr(
                 " All pairs are tested by the exact two-sided Wilcoxon signed-rank test, paired by "
-                "run, at a level of 5 %, with Holm's correction. The algorithm with the lowest "
-                "median is also tested separately against each other one. If it differs from all "
-                "of them, it is the fastest, even if it shares a letter and has no rank.")};
+                "run, at a level of 5 %, with Holm's correction. The fastest is the one that "
+                "differs so from all others: it shares no letter.")};
 }
 
 QStringList ratioNotes(const Ranking& ranking)
@@ -83,11 +82,9 @@ QStringList ratioNotes(const Ranking& ranking)
     return {ranking.told
                 ? ratio
                       + Text::tr(
-                          " p: the p-value of the same test against the lowest median alone, with "
-                          "Holm's correction. The same runs decide which algorithm has the lowest "
-                          "median. So with twelve equal algorithms, some p is below 0.05 in about "
-                          "one of ten experiments. Ranks and letters do not depend on this p. A "
-                          "significant difference of less than 1 % counts as practically equal.")
+                          " p: the p-value of the test against the lowest median, one of the tests "
+                          "of all pairs, with Holm's correction. A significant difference of less "
+                          "than 1 % counts as practically equal.")
                 : ratio};
 }
 

@@ -49,6 +49,19 @@ QStringList timingRow(const Timing& timing, const Summary& times, const Ranking&
             hexadecimal(timing.found.checksum)};
 }
 
+/// Which lines the runs had, and what that means; empty if all had the same.
+QString seedsText(const ExperimentOptions& options)
+{
+    if (options.scene.lines > 0 || options.runs < 2)
+        return {};
+    return Text::tr("Each run has lines of its own, of the seeds %1 to %2, so that spread and "
+                    "confidence intervals cover other lines, too. Visible, lost, shown and "
+                    "checksum are of the first seed.")
+               .arg(options.seed)
+               .arg(options.seed + options.runs - 1)
+           + (options.inProcesses ? Text::tr(" Each run was a process of its own.") : QString());
+}
+
 /// The median clipping time of an algorithm; empty if it was not timed.
 std::optional<double> medianOf(const Record& record, const clipping::Algorithm& algorithm)
 {
@@ -127,6 +140,7 @@ std::vector<std::pair<QString, QString>> factsOf(const Record& record)
     facts.emplace_back("precision", wordOf(options.precision));
     facts.emplace_back("threads", QString::number(options.threads));
     facts.emplace_back("runs", QString::number(options.runs));
+    facts.emplace_back("processes", options.inProcesses ? "one for each run" : "one");
     facts.emplace_back("warmup", QString::number(options.warmUps));
     facts.emplace_back("clock", options.clock.name);
     if (!record.target.isEmpty())
@@ -163,6 +177,8 @@ Table timesTable(const Record& record, const Measure& measure)
     table.notes << Text::tr(
         "Low to high: the 95 % confidence interval of the median. Lost: visible lines that the "
         "algorithm drops. Shown: invisible lines that it keeps.");
+    if (const QString seeds = seedsText(record.options); !seeds.isEmpty())
+        table.notes << seeds;
     if (record.options.precision == Precision::Single)
         table.notes << Text::tr("In single precision the ends differ by some ulps, so "
                                 "algorithms that agree may still have different checksums.");
@@ -203,13 +219,14 @@ Table runsTable(const Record& record, std::span<const Measure> measures)
     std::erase_if(table.facts, [](const auto& fact) { return fact.first == u"lines"; });
     for (const Measure& measure : measures)
         for (const Timing& timing : record.timings) {
-            int run = 0;
-            for (const double time : measure.times(timing))
+            const auto times = measure.times(timing);
+            for (std::size_t run = 0; run < times.size(); ++run)
                 table.rows.push_back(
                     {QString::fromUtf8(timing.variant.algorithm->key), wordOf(timing.variant.form),
-                     measure.key, QString::number(++run), QString::number(record.options.lines),
-                     QString::number(timing.found.visible),
-                     QString::number(time * double(record.options.lines) * 1e-9, 'f', 9)});
+                     measure.key, QString::number(run + 1), QString::number(record.options.lines),
+                     QString::number(run < timing.visible.size() ? timing.visible[run]
+                                                                 : timing.found.visible),
+                     QString::number(times[run] * double(record.options.lines) * 1e-9, 'f', 9)});
         }
     return table;
 }

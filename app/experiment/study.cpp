@@ -153,6 +153,32 @@ double roughSeconds(const Plan& plan)
     return 1e-9 * std::accumulate(weights.begin(), weights.end(), 0.0);
 }
 
+namespace {
+
+/// Adds the explanation to a study with all its trials.
+std::optional<Study> finished(Study study, const Plan& plan, PhasedProgress& phases)
+{
+    if (drewNothing(study) && study.measures.size() > 1)
+        std::erase_if(study.measures, tellsOfDrawingAlone);
+    if (plan.explained) {
+        study.explanation = explanationOf(*plan.explained, phases);
+        if (!study.explanation)
+            return std::nullopt;
+    }
+    return study;
+}
+
+} // namespace
+
+std::optional<Study> study(const Plan& plan, std::vector<Record> records, const Follower& follower)
+{
+    PhasedProgress phases(follower, weightsOf({{}, plan.measures, plan.explained}));
+    Study study{.measures = plan.measures, .trials = {}};
+    for (std::size_t i = 0; i < records.size(); ++i)
+        study.trials.push_back({plan.trials[i].paper, std::move(records[i])});
+    return finished(std::move(study), plan, phases);
+}
+
 std::optional<Study> study(const Plan& plan, const Follower& follower)
 {
     PhasedProgress phases(follower, weightsOf(plan));
@@ -163,14 +189,7 @@ std::optional<Study> study(const Plan& plan, const Follower& follower)
             return std::nullopt;
         study.trials.push_back({trial.paper, std::move(*record)});
     }
-    if (drewNothing(study) && study.measures.size() > 1)
-        std::erase_if(study.measures, tellsOfDrawingAlone);
-    if (plan.explained) {
-        study.explanation = explanationOf(*plan.explained, phases);
-        if (!study.explanation)
-            return std::nullopt;
-    }
-    return study;
+    return finished(std::move(study), plan, phases);
 }
 
 QString nameOf(const Trial& trial)

@@ -54,6 +54,11 @@ struct Study {
 /// Roughly how long it takes on a typical machine.
 double roughSeconds(const Plan& plan);
 
+/// The study of a plan whose trials were measured already, a record for each: makes the rest. Empty
+/// if it was stopped.
+std::optional<Study> study(const Plan& plan, std::vector<Record> records,
+                           const Follower& follower = {});
+
 /// Empty if it was stopped. If nothing was visible, the measure of drawing alone is left out,
 /// because its times are zero and have no ratio.
 std::optional<Study> study(const Plan& plan, const Follower& follower = {});

@@ -54,7 +54,7 @@ QString slowestText(const RankedResults& told)
         return {};
     return (told.ranking.ranks[last] ? Text::tr("; %1, the slowest, takes %2 as long")
                                      : Text::tr("; %1, the slowest by median, takes %2 as long"))
-        .arg(shortName(told.record, last), timesText(told.ranking.fastest[last].ratio));
+        .arg(shortName(told.record, last), timesText(told.ranking.againstLowest(last).ratio));
 }
 
 QString leaderName(const Record& record, std::size_t i)
@@ -102,8 +102,8 @@ QString nextText(const RankedResults& told)
         return {};
     const std::size_t next = told.ranking.order[1];
     return Text::tr(" The next, %1, takes %2 as long (p = %3).")
-        .arg(shortName(told.record, next), timesText(told.ranking.fastest[next].ratio),
-             pText(told.ranking.fastest[next].p));
+        .arg(shortName(told.record, next), timesText(told.ranking.againstLowest(next).ratio),
+             pText(told.ranking.againstLowest(next).p));
 }
 
 QString leaderSentence(const RankedResults& told)
@@ -141,7 +141,7 @@ QString proposedText(const RankedResults& told)
     const QString name = longName(told.record, proposed);
     if (std::ranges::find(leaders, proposed) == leaders.end())
         return Text::tr("its own method, %1, takes %2 as long as the fastest")
-            .arg(name, timesText(told.ranking.fastest[proposed].ratio));
+            .arg(name, timesText(told.ranking.againstLowest(proposed).ratio));
     return (leaders.size() == 1
                 ? Text::tr("its own method, %1, is the fastest")
                 : Text::tr("its own method, %1, does not differ significantly by 1 % "
@@ -192,14 +192,17 @@ QStringList paperSentences(const Trial& trial)
 {
     const ExperimentOptions& options = trial.record.options;
     QStringList sentences;
-    const auto leaders = rankingOf(*trial.paper).leaders();
-    const auto& fastest = trial.paper->columns[leaders.front()];
+    QStringList leaders;
+    for (const std::size_t i : rankingOf(*trial.paper).leaders())
+        leaders << shortNameOf({trial.paper->columns[i].algorithm, clipping::Form::Corrected});
     sentences << (leaders.size() == 1
                       ? Text::tr("By the same tests, the fastest algorithm in the paper's own runs "
                                  "is %1, if they are paired row by row.")
-                            .arg(shortNameOf({fastest.algorithm, clipping::Form::Corrected}))
+                            .arg(leaders.front())
                       : Text::tr("By the same tests, the paper's own runs do not tell which "
-                                 "algorithm is the fastest, if they are paired row by row."));
+                                 "algorithm is the fastest, if they are paired row by row: the "
+                                 "lowest medians, of %1, do not differ significantly.")
+                            .arg(briefListText(leaders)));
     if (!otherLinesText(options).isEmpty())
         sentences << Text::tr("The paper clipped other lines: %1 random lines. These are %2.")
                          .arg(countText(trial.paper->lines), otherLinesText(options));

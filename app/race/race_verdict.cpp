@@ -180,10 +180,7 @@ void addTies(Statements& all, std::span<const RaceRow> rows, const Ranking& rank
         told << Text::tr("No two of these times tie.");
     if (more > 0)
         told << counted(more, Text::tr("1 more group ties."), Text::tr("%1 more groups tie."));
-    // The test for the fastest is another one: a form that ties is not called the fastest.
-    const auto ties = [&](std::size_t number) { return ranking.groups[number].size() > 1; };
-    if (ranking.hasFastest() && rows.size() > 1
-        && std::ranges::none_of(ranking.groupsOf(ranking.order.front()), ties))
+    if (ranking.hasFastest() && rows.size() > 1)
         told << Text::tr("%1 is fastest here.").arg(namesOf({ranking.order.front()}, rows).front());
     const QString first = told.takeFirst();
     all.push_back({Kind::Ties, first, told.join(u' ')});

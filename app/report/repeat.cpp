@@ -107,6 +107,8 @@ void addHow(Words& words, const Trial& trial)
     words.add("lines", options.lines, trial.paper ? trial.paper->lines : 0);
     words.add("runs", options.runs, usualRounds(trial.record.timings.size()));
     words.add("warmup", options.warmUps, 1);
+    if (options.inProcesses)
+        words.add("processes");
     words.add("seed", QString::number(options.seed));
     if (options.precision != Precision::Double)
         words.add("precision", wordOf(options.precision));

@@ -134,9 +134,9 @@ ReportSection methodSection(const Study& study, const Table& circumstances)
                     "difference at a level of 5 %, and the median of the ratios run by run differs "
                     "by 1 % or more. A smaller difference counts as practically equal."),
                 Text::tr(
-                    "The lowest median is tested against each other algorithm. Letters come from "
-                    "tests of all pairs. Both use Holm's correction for the number of tests. An "
-                    "algorithm that does not differ from another has no rank. Overlapping "
+                    "All pairs of algorithms are tested, with Holm's correction for the number of "
+                    "tests. These tests decide letters, ranks, and which algorithm is the fastest. "
+                    "One that does not differ from another has no rank. Overlapping "
                     "confidence intervals do not show whether algorithms differ."),
                 Text::tr("Nanoseconds depend on the machine. Compare ratios.")}
             + batchSentences(study),
@@ -146,7 +146,9 @@ ReportSection methodSection(const Study& study, const Table& circumstances)
 ReportSection repeatSection(const Study& study)
 {
     return {.title = Text::tr("Repeat the measurement"),
-            .sentences = {Text::tr("The same seed gives the same lines on every machine.")},
+            .sentences = {Text::tr(
+                "The same seed gives the same lines on every machine. Each run has the "
+                "next seed.")},
             .code = commandToRepeat(study)};
 }
 

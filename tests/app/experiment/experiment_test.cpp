@@ -68,6 +68,8 @@ private slots:
         options.seed = 4;
         std::vector<clipping::Segment> lines(options.lines);
         app::PaperScene(options.seed).fill(lines);
+        std::vector<clipping::Segment> next(options.lines); // of the second run
+        app::PaperScene(options.seed + 1).fill(next);
         std::vector<clipping::Clipped> visible(lines.size());
         const auto timings = app::experiment(options, all);
         for (const app::Timing& timing : *timings) {
@@ -75,6 +77,10 @@ private slots:
                 *clipping::functionsOf(*timing.variant.algorithm, timing.variant.form);
             QCOMPARE(timing.clip.size(), options.runs);
             QCOMPARE(timing.found.visible, uses.clipAll(lines, app::paperWindow, visible));
+            QCOMPARE(timing.visible,
+                     (std::vector<std::uint64_t>{timing.found.visible,
+                                                 uses.clipAll(next, app::paperWindow, visible)}));
+            QVERIFY(timing.visible[0] != timing.visible[1]);
             QVERIFY(std::ranges::all_of(timing.clip, [](double ns) { return ns > 0.1; }));
             QVERIFY(std::ranges::all_of(timing.generate, [](double ns) { return ns > 1; }));
             QCOMPARE(timing.draw, std::vector<double>(options.runs, 0));

@@ -136,13 +136,13 @@ private slots:
         QCOMPARE(said->first, "It is too early to rank the times.");
         QCOMPARE(said->rest, "3 of the 6 rounds that it takes are done.");
     }
-    // A pair may tie by the test of all pairs, and differ by the test for the fastest.
     void whatTiesIsNotCalledTheFastest()
     {
         const std::vector rows{raceRow("cs", Corrected, 0.23), raceRow("lb", Corrected, 0.9)};
         app::Ranking ranking = app::rankingOf(rows);
         QVERIFY(ranking.hasFastest() && ranking.groups.size() == 2);
         ranking.groups = {{0, 1}};
+        ranking.pairs[1][0].outcome = app::Outcome::NotSignificant;
         app::RaceOutcome outcome{.rows = rows, .lines = many};
         outcome.ranking = &ranking;
         const auto said = app::verdictOf(outcome);
