@@ -22,6 +22,7 @@ Command algorithmsCommand();
 Command benchCommand();
 Command infoCommand();
 Command judgeCommand();
+Command lessonCommand();
 Command helpCommand();
 Command traceCommand();
 
@@ -39,6 +40,7 @@ std::vector<Command> commands()
         algorithmsCommand(),
         benchCommand(),
         judgeCommand(),
+        lessonCommand(),
         helpCommand(),
     };
     // clang-format on

@@ -38,6 +38,7 @@ struct Command {
     Paints paints = Paints::Nothing;
     QStringList limits{};        ///< limits of its input, a sentence each
     bool lastIsOptional = false; ///< the last operand may be left out
+    bool lastRepeats = false;    ///< the last operand may be given several times
 };
 std::vector<Command> commands();
 

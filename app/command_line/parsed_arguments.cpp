@@ -76,7 +76,7 @@ ParsedArguments::ParsedArguments(const Command& command, const QStringList& argu
     if (operands().size() < command.operands - (command.lastIsOptional ? 1 : 0))
         throw WrongUsage{Text::tr("An argument is missing: %1 %2.")
                              .arg(QLatin1StringView(command.key), command.usage)};
-    if (operands().size() > command.operands)
+    if (operands().size() > command.operands && !command.lastRepeats)
         throw WrongUsage{
             Text::tr("The argument “%1” is one too many.").arg(operands()[command.operands])};
 }

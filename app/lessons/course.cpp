@@ -4,6 +4,7 @@
 #include "app/base/random.h"
 #include "app/base/text.h"
 #include "app/lessons/attempt.h"
+#include "app/lessons/opened_lessons.h"
 
 #include <QRandomGenerator>
 #include <QScopedValueRollback>
@@ -36,7 +37,7 @@ Course::Course(Microscope& microscope, QObject* parent) : QObject(parent), micro
 
 void Course::begin(std::size_t lesson)
 {
-    if (lesson >= lessons().size())
+    if (!lessonAt(lesson))
         return;
     left_.reset();
     lesson_ = lesson;
@@ -119,7 +120,7 @@ std::optional<std::size_t> Course::lessonToGoOn() const
     return lesson_ ? lesson_ : left_ ? std::optional(left_->lesson) : std::nullopt;
 }
 
-const Lesson* Course::lesson() const { return lesson_ ? &lessons()[*lesson_] : nullptr; }
+const Lesson* Course::lesson() const { return lesson_ ? lessonAt(*lesson_) : nullptr; }
 
 LessonParts Course::shows() const { return lesson() && !paused_ ? here().shows : LessonParts{}; }
 

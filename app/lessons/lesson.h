@@ -49,7 +49,8 @@ struct Lesson {
 /// The lessons, in the order in which they are taught.
 const std::vector<Lesson>& lessons();
 
-/// Parses a lesson; or returns what is wrong and where: "line 12: …".
+/// Parses a lesson; or returns what is wrong first and where: "line 12: …". All faults:
+/// parse_lesson.h, and what only the lines show: check_lesson.h.
 Result<Lesson> readLesson(const QString& key, const QString& text);
 
 /// The step that a page asks for: an index into the narration's steps; empty if there is none.

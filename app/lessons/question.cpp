@@ -47,6 +47,12 @@ int choicesOf(const QuestionSpec& question)
     return kind ? kind->choices : 0;
 }
 
+QString needOf(const QuestionSpec& question)
+{
+    const QuestionKind* kind = kindOf(question);
+    return kind ? Text::tr(kind->needs) : QString();
+}
+
 std::size_t stepsShown(const LessonPage& page, std::size_t step)
 {
     const QuestionKind* kind = kindOf(page);

@@ -32,8 +32,9 @@ struct QuestionKind {
     /// Empty if this page does not allow such a question, or if the words are wrong.
     std::optional<Question> (*ask)(const TracedLine& tracedLine, const Narration& narration,
                                    std::size_t step, const QStringList& words);
-    Covered covered; ///< LaterSteps: the steps after the current one
-    int choices;     ///< how many the question has
+    Covered covered;   ///< LaterSteps: the steps after the current one
+    int choices;       ///< how many the question has
+    const char* needs; ///< what `ask` needs, to follow "needs": "a line …"; to be translated
 };
 std::span<const QuestionKind> questionKinds();
 
@@ -41,6 +42,9 @@ std::optional<Question> questionOf(const LessonPage& page, const Narration& narr
                                    std::size_t step);
 /// The number of choices of a question; 0 if there is no question of its kind.
 int choicesOf(const QuestionSpec& question);
+/// What a question of its kind needs to be asked, to follow "needs"; empty if there is no such
+/// kind.
+QString needOf(const QuestionSpec& question);
 /// The number of steps that are visible while the page's question is open.
 std::size_t stepsShown(const LessonPage& page, std::size_t step);
 

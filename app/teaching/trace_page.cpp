@@ -137,17 +137,22 @@ QByteArray styleCss()
 
 } // namespace
 
-QByteArray traceHtml(const TraceExport& trace, std::span<const std::size_t> steps)
+QByteArray pageHeadHtml(const QString& title, const QByteArray& more)
 {
-    const bool isRefused = trace.narration.steps.empty();
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-           "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
-           "<meta name=\"color-scheme\" content=\"light dark\">\n"
-           + titleHtml(trace) + "<style>\n" + styleCss() + "</style>\n</head>\n<body>\n"
-           + headerHtml(trace) + (isRefused ? QByteArray() : stepsBarHtml()) + "<main>\n"
-           + "<div>\n"
+           "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n"
+           "<meta name=\"color-scheme\" content=\"light dark\">\n<title>"
+           + title.toHtmlEscaped().toUtf8() + "</title>\n<style>\n" + styleCss() + more
+           + "</style>\n</head>\n";
+}
+
+QByteArray traceHtml(const TraceExport& trace, std::span<const std::size_t> steps)
+{
+    const bool isRefused = trace.narration.steps.empty();
+    return pageHeadHtml(titleOf(trace.tracedLine.variant)) + "<body>\n" + headerHtml(trace)
+           + (isRefused ? QByteArray() : stepsBarHtml()) + "<main>\n" + "<div>\n"
            + (isRefused ? paragraphHtml("sentence", trace.narration.refusal)
                         : stepsHtml(trace, steps))
            + "</div>\n" + codeHtml(trace.narration.code) + "</main>\n" + dataHtml(trace, figureSize)

@@ -32,14 +32,6 @@ QByteArray variableRow(const Variable& variable)
            + "<td class=\"was\">" + escaped(was) + "</td></tr>\n";
 }
 
-QByteArray variablesHtml(const NarratedStep& narrated)
-{
-    QByteArray html = "<table>" + element("caption", Text::tr("Variables")) + "<tbody>\n";
-    for (const Variable& variable : narrated.variables)
-        html += variableRow(variable);
-    return html + "</tbody></table>\n";
-}
-
 /// One kind of operation: its name, and how many there are so far and in all.
 struct OperationColumn {
     QString name;
@@ -54,20 +46,6 @@ std::array<OperationColumn, 5> operationColumns()
              {Text::tr("multiplications"), &Counts::multiplications},
              {Text::tr("divisions"), &Counts::divisions},
              {Text::tr("negations"), &Counts::negations}}};
-}
-
-QByteArray operationsHtml(const Narration& narration, std::size_t step)
-{
-    QByteArray html = "<table>" + element("caption", Text::tr("Operations so far")) + "<tbody>\n";
-    for (const auto& [name, count] : operationColumns()) {
-        const auto now = narration.steps[step].cost.*count,
-                   all = narration.steps.back().cost.*count;
-        if (all > 0)
-            html += "<tr>" + element("td", name) + element("td", countText(now))
-                    + "<td class=\"of\">" + escaped(Text::tr("of %1").arg(countText(all)))
-                    + "</td></tr>\n";
-    }
-    return html + "</tbody></table>\n";
 }
 
 QString factsOf(const TracedLine& tracedLine)
@@ -96,9 +74,26 @@ QByteArray paragraphHtml(const char* className, const QString& text)
                : QByteArray("<p class=\"") + className + "\">" + escaped(text) + "</p>\n";
 }
 
-QByteArray titleHtml(const TraceExport& trace)
+QByteArray variablesHtml(const NarratedStep& narrated)
 {
-    return element("title", titleOf(trace.tracedLine.variant)) + '\n';
+    QByteArray html = "<table>" + element("caption", Text::tr("Variables")) + "<tbody>\n";
+    for (const Variable& variable : narrated.variables)
+        html += variableRow(variable);
+    return html + "</tbody></table>\n";
+}
+
+QByteArray operationsHtml(const Narration& narration, std::size_t step)
+{
+    QByteArray html = "<table>" + element("caption", Text::tr("Operations so far")) + "<tbody>\n";
+    for (const auto& [name, count] : operationColumns()) {
+        const auto now = narration.steps[step].cost.*count,
+                   all = narration.steps.back().cost.*count;
+        if (all > 0)
+            html += "<tr>" + element("td", name) + element("td", countText(now))
+                    + "<td class=\"of\">" + escaped(Text::tr("of %1").arg(countText(all)))
+                    + "</td></tr>\n";
+    }
+    return html + "</tbody></table>\n";
 }
 
 QByteArray headerHtml(const TraceExport& trace)

@@ -13,7 +13,13 @@ namespace app {
 
 /// A paragraph of a class; empty for an empty text.
 QByteArray paragraphHtml(const char* className, const QString& text);
-QByteArray titleHtml(const TraceExport& trace);
+/// The variables after a step, as a table.
+QByteArray variablesHtml(const NarratedStep& narrated);
+/// The operations up to a step, and of the whole narration, as a table.
+QByteArray operationsHtml(const Narration& narration, std::size_t step);
+/// The start of a page that needs no network and no other file, up to its body. `more` is style
+/// beyond that of all such pages: resources/trace_page/page.css and the colours of figures.
+QByteArray pageHeadHtml(const QString& title, const QByteArray& more = {});
 /// The title, the line and the window.
 QByteArray headerHtml(const TraceExport& trace);
 /// The buttons and the slider, hidden until the script runs, and what a screen reader hears.

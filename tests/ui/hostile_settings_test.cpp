@@ -43,6 +43,7 @@ class HostileSettingsTest : public QObject {
                 "experimentPace",
                 "experimentFolder",
                 "stepsFolder",
+                "lessonsFolder",
                 "judgeGeometry",
                 "zooGeometry",
                 "plugInLibrary",

@@ -42,6 +42,9 @@ public:
         return save;
     }
     QString folderToWrite(const QString&, const QString&) override { return directory; }
+    QStringList lessons; ///< files; empty: cancelled
+    QStringList lessonsToOpen(const QString&) override { return lessons; }
+    QString lessonFolderToOpen(const QString&) override { return directory; }
     bool hasPrinter() override { return false; }
     int askedAboutFiles = 0; ///< number of questions about overwriting several files
     bool overwriteFiles(const QStringList& files, int) override

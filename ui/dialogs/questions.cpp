@@ -105,6 +105,17 @@ QString Questions::folderToWrite(const QString& title, const QString& folder)
     return QFileDialog::getExistingDirectory(&window_, title, folder);
 }
 
+QStringList Questions::lessonsToOpen(const QString& folder)
+{
+    return QFileDialog::getOpenFileNames(&window_, Text::tr("Open lessons"), folder,
+                                         Text::tr("Lessons (%1)").arg(QStringLiteral("*.md")));
+}
+
+QString Questions::lessonFolderToOpen(const QString& folder)
+{
+    return QFileDialog::getExistingDirectory(&window_, Text::tr("Open folder of lessons"), folder);
+}
+
 QString Questions::libraryToOpen(const QString& folder)
 {
     return QFileDialog::getOpenFileName(

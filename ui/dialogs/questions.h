@@ -41,6 +41,10 @@ public:
                                  const QString& ending);
     /// A folder to write files of given names to; empty: cancelled.
     virtual QString folderToWrite(const QString& title, const QString& folder);
+    /// Lesson files; empty: cancelled.
+    virtual QStringList lessonsToOpen(const QString& folder);
+    /// A folder of lesson files; empty: cancelled.
+    virtual QString lessonFolderToOpen(const QString& folder);
     /// A shared library; empty: cancelled.
     virtual QString libraryToOpen(const QString& folder);
     /// The library is about to be run for the first time, with all of the person's rights; true:

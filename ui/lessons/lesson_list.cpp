@@ -2,6 +2,7 @@
 #include "ui/lessons/lesson_list.h"
 
 #include "app/lessons/course.h"
+#include "app/lessons/opened_lessons.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -14,6 +15,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
@@ -24,10 +27,10 @@ constexpr int margin = 10, mark = 16;
 /// if the lesson is passed.
 class LessonButton : public QAbstractButton {
 public:
-    LessonButton(int number, const app::Lesson& lesson, const app::Course& course)
-        : lesson_(lesson), course_(course)
+    LessonButton(std::size_t lesson, const app::Course& course)
+        : number_(lesson), lesson_(*app::lessonAt(lesson)), course_(course)
     {
-        setText(QStringLiteral("%1  %2").arg(number).arg(lesson.title));
+        setText(QStringLiteral("%1  %2").arg(app::placeOfLesson(lesson)).arg(lesson_.title));
         setAccessibleName(text());
         setFocusPolicy(Qt::StrongFocus);
         setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -44,7 +47,7 @@ public:
                       + Text::tr("Best: %1 of %2 right at the first try")
                             .arg(*right)
                             .arg(app::questionsOf(lesson_));
-        if (const auto on = course_.lessonToGoOn(); on && &app::lessons()[*on] == &lesson_)
+        if (course_.lessonToGoOn() == number_)
             words_ += u'\n'
                       + Text::tr("Go on at page %1 of %2")
                             .arg(course_.pageToGoOn() + 1)
@@ -97,11 +100,22 @@ private:
         area.setWidth(room.width()); // with less width the words would wrap differently
         return area;
     }
-    const app::Lesson& lesson_;
+    const std::size_t number_;
+    const app::Lesson& lesson_; // an opened lesson stays, also when another replaces it
     const app::Course& course_;
     QString words_;
     bool passed_ = false;
 };
+
+/// A sentence of someone else, which is never rich text.
+QLabel* plainLabel(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
 
 } // namespace
 
@@ -137,22 +151,74 @@ LessonList::LessonList(const app::Course& course, QWidget* parent)
     about->setWordWrap(true);
     about->setForegroundRole(QPalette::PlaceholderText);
     column->addWidget(about);
-    for (const app::Lesson& lesson : app::lessons()) {
-        const int index = int(buttons_.size());
-        auto* button = new LessonButton(index + 1, lesson, course);
-        connect(button, &QAbstractButton::clicked, this, [this, index] { emit chosen(index); });
-        column->addWidget(button);
-        buttons_ << button;
-    }
+    for (std::size_t i = 0; i < app::lessons().size(); ++i)
+        addLesson(*column, i);
+    opened_ = new QWidget;
+    column->addWidget(opened_);
     column->addStretch();
     setWidget(body);
+    addOpened();
     refresh();
 }
 
-void LessonList::focusOnLesson() { buttons_[int(course_.lessonToGoOn().value_or(0))]->setFocus(); }
+void LessonList::addLesson(QBoxLayout& column, std::size_t lesson)
+{
+    auto* button = new LessonButton(lesson, course_);
+    connect(button, &QAbstractButton::clicked, this, [this, lesson] { emit chosen(int(lesson)); });
+    column.addWidget(button);
+    buttons_ << button;
+    numbers_.push_back(lesson);
+}
+
+/// The lessons that people opened, each folder under its heading with what is wrong in it.
+void LessonList::addOpened()
+{
+    openings_ = app::lessonOpenings();
+    opened_->hide(); // nothing is laid out until all are there
+    const auto own = qsizetype(app::lessons().size());
+    qDeleteAll(buttons_.mid(own));
+    buttons_.resize(own);
+    numbers_.resize(std::size_t(own));
+    qDeleteAll(opened_->findChildren<QLabel*>());
+    delete opened_->layout();
+    auto* column = new QVBoxLayout(opened_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(space::labelToField);
+    for (const app::LessonGroup& group : app::openedLessons()) {
+        QLabel* heading = plainLabel(group.heading);
+        heading->setFont(semiBold(font()));
+        heading->setToolTip(group.folder);
+        column->addSpacing(space::betweenGroups);
+        column->addWidget(heading);
+        for (const std::size_t lesson : group.lessons)
+            addLesson(*column, lesson);
+        for (const QString& note : group.notes) {
+            QLabel* label = plainLabel(note);
+            label->setForegroundRole(QPalette::PlaceholderText);
+            column->addWidget(label);
+        }
+    }
+    opened_->setVisible(!app::openedLessons().empty());
+}
+
+QAbstractButton* LessonList::buttonOf(std::size_t lesson) const
+{
+    const auto found = std::ranges::find(numbers_, lesson);
+    return buttons_[found == numbers_.end() ? 0 : int(found - numbers_.begin())];
+}
+
+void LessonList::focusOnLesson(std::optional<std::size_t> lesson)
+{
+    QAbstractButton* button = buttonOf(lesson.value_or(course_.lessonToGoOn().value_or(0)));
+    button->setFocus();
+    if (lesson)
+        ensureWidgetVisible(button);
+}
 
 void LessonList::refresh()
 {
+    if (openings_ != app::lessonOpenings())
+        addOpened();
     for (QAbstractButton* button : buttons_)
         static_cast<LessonButton*>(button)->refresh();
 }

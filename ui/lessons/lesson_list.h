@@ -6,11 +6,13 @@
 #include <QScrollArea>
 
 class QAbstractButton;
+class QBoxLayout;
 
 namespace ui {
 
 /// All lessons, each with a sentence and its best score; passed lessons have a tick. The lesson in
-/// progress says at which page it goes on.
+/// progress says at which page it goes on. Below those of the program are the opened ones, each
+/// folder under its heading.
 class LessonList : public QScrollArea {
     Q_OBJECT
 
@@ -18,16 +20,24 @@ public:
     explicit LessonList(const app::Course& course, QWidget* parent = nullptr);
 
     QList<QAbstractButton*> buttons() const { return buttons_; }
-    void refresh(); ///< updates scores, ticks and font
-    void focusOnLesson(); ///< on the one in progress, otherwise on the first
+    QAbstractButton* buttonOf(std::size_t lesson) const; ///< of its number; or the first
+    void refresh(); ///< updates scores, ticks, font, and which lessons there are
+    /// On this lesson; otherwise on the one in progress, otherwise on the first.
+    void focusOnLesson(std::optional<std::size_t> lesson = {});
 
 signals:
     void chosen(int lesson);
     void closeWanted();
 
 private:
+    void addLesson(QBoxLayout& column, std::size_t lesson);
+    void addOpened();
+
     const app::Course& course_;
     QList<QAbstractButton*> buttons_;
+    std::vector<std::size_t> numbers_; ///< of the buttons' lessons
+    QWidget* opened_;                  ///< the lessons that people opened
+    int openings_ = 0;                 ///< that it shows
 };
 
 } // namespace ui

@@ -2,6 +2,7 @@
 #include "ui/lessons/lesson_panel.h"
 
 #include "app/lessons/course.h"
+#include "app/lessons/opened_lessons.h"
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_list.h"
 #include "ui/lessons/page_dots.h"
@@ -43,7 +44,10 @@ QString richText(const QString& markdown)
 {
     QTextDocument document;
     document.setDefaultFont(scaledFont(QApplication::font(), pageType::text));
-    document.setMarkdown(markdown);
+    // Of other people's lessons, too: no HTML, which could name files.
+    document.setMarkdown(markdown,
+                         QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub
+                                                         | QTextDocument::MarkdownNoHTML));
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();
         format.setLineHeight(lineHeight, QTextBlockFormat::ProportionalHeight);
@@ -189,6 +193,13 @@ void LessonPanel::showList()
     list_->focusOnLesson();
 }
 
+void LessonPanel::showOpened(std::optional<std::size_t> lesson)
+{
+    showList();
+    list_->refresh();
+    list_->focusOnLesson(lesson);
+}
+
 void LessonPanel::turn(int pages)
 {
     if (!course_.lesson() || course_.isPaused())
@@ -199,8 +210,8 @@ void LessonPanel::turn(int pages)
         course_.next();
     else if (course_.isOpen())
         return;
-    else if (course_.lessonIndex() + 1 < app::lessons().size())
-        course_.begin(course_.lessonIndex() + 1);
+    else if (const auto after = app::lessonAfter(course_.lessonIndex()))
+        course_.begin(*after);
     else
         showList();
     focusNext();
@@ -228,7 +239,7 @@ void LessonPanel::showPage()
     setCurrentIndex(reads ? 1 : 0);
     list_->refresh();
     if (!reads) {
-        setFocusProxy(list_->buttons()[int(course_.lessonToGoOn().value_or(0))]);
+        setFocusProxy(list_->buttonOf(course_.lessonToGoOn().value_or(0)));
         return;
     }
     showHead();
@@ -253,7 +264,7 @@ void LessonPanel::showHead()
     const app::Lesson& lesson = *course_.lesson();
     const app::Score score = course_.score();
     place_->setText(Text::tr("Lesson %1 · %2 of %3 right, %4 pass")
-                        .arg(course_.lessonIndex() + 1)
+                        .arg(app::placeOfLesson(course_.lessonIndex()))
                         .arg(score.right)
                         .arg(app::questionsOf(lesson))
                         .arg(app::neededRight(lesson)));
@@ -277,7 +288,7 @@ void LessonPanel::showFoot()
     next_->setEnabled(!open);
     next_->setToolTip(open ? Text::tr("First answer the question, or choose “Skip”")
                            : Text::tr("Next page (Page Down)"));
-    const bool last = course_.lessonIndex() + 1 == app::lessons().size();
+    const bool last = !app::lessonAfter(course_.lessonIndex());
     next_->setText(!course_.atEnd() ? Text::tr("Next")
                    : last           ? Text::tr("Finish")
                                     : Text::tr("Next lesson"));

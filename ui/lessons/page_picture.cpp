@@ -6,6 +6,8 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 
+#include <QFileInfo>
+#include <QImageReader>
 #include <QPainter>
 #include <QPromise>
 #include <QThreadPool>
@@ -19,6 +21,21 @@ namespace {
 
 constexpr QSize usualSize(384, 216);
 constexpr int rest = 60; // milliseconds without a change of size
+
+/// A picture of a lesson's own in the middle of white paper; runs on another thread.
+QImage filePicture(const QString& file, const QSize& size)
+{
+    QImage paper(size, QImage::Format_RGB32);
+    paper.fill(Qt::white);
+    if (!QFileInfo(file).isFile()) // a pipe would never end
+        return paper;
+    QImageReader reader(file, "png");
+    reader.setScaledSize(reader.size().scaled(size, Qt::KeepAspectRatio));
+    const QImage picture = reader.read();
+    QPainter(&paper).drawImage((size.width() - picture.width()) / 2,
+                               (size.height() - picture.height()) / 2, picture);
+    return paper;
+}
 
 } // namespace
 
@@ -39,17 +56,19 @@ PagePicture::PagePicture(QWidget* parent) : QWidget(parent)
 
 PagePicture::~PagePicture() { watcher_.cancel(); }
 
-void PagePicture::show(const QString& sample)
+void PagePicture::show(const QString& picture)
 {
     const auto all = app::samples();
-    const auto found = std::ranges::find(all, sample, &app::Sample::key);
-    setVisible(found != all.end());
-    if (found == all.end() || sample_ == sample)
+    const auto found = std::ranges::find(all, picture, &app::Sample::key);
+    const bool isSample = found != all.end(), isShown = isSample || picture.contains(u'/');
+    setVisible(isShown);
+    if (!isShown || shown_ == picture)
         return;
-    sample_ = sample;
+    shown_ = picture;
     picture_ = {};
-    file_ = found->file;
-    setAccessibleName(Text::tr("Picture: %1, with a clip window").arg(found->title));
+    file_ = isSample ? found->file : picture;
+    setAccessibleName(isSample ? Text::tr("Picture: %1, with a clip window").arg(found->title)
+                               : Text::tr("Picture: %1").arg(QFileInfo(picture).fileName()));
     later_.start();
 }
 
@@ -66,7 +85,9 @@ void PagePicture::start()
     const app::ThumbnailColours colours{look.paper, look.accent, look.ghost};
     app::paintingThreads().start([=, file = file_, points = size(), ratio = devicePixelRatioF()] {
         if (!promise->isCanceled())
-            promise->addResult(app::samplePicture(file, points, ratio, colours));
+            promise->addResult(file.startsWith(u':')
+                                   ? app::samplePicture(file, points, ratio, colours)
+                                   : filePicture(file, points * ratio));
         promise->finish();
     });
 }

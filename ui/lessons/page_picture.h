@@ -8,7 +8,8 @@
 
 namespace ui {
 
-/// The picture above a lesson's text: a sample with its clip window, painted on another thread.
+/// The picture above a lesson's text: a sample with its clip window, or a PNG file, painted on
+/// another thread.
 class PagePicture : public QWidget {
     Q_OBJECT
 
@@ -16,7 +17,8 @@ public:
     explicit PagePicture(QWidget* parent = nullptr);
     ~PagePicture() override;
 
-    void show(const QString& sample); ///< its key; hides the picture if there is none
+    /// A sample's key or the path of a file; hides the picture if there is none.
+    void show(const QString& picture);
 
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
@@ -29,7 +31,7 @@ protected:
 private:
     void start();
 
-    QString sample_, file_;
+    QString shown_, file_;
     QImage picture_;
     QTimer later_;
     QFutureWatcher<QImage> watcher_;

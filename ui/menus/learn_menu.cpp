@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/view.h"
+#include "ui/files/files.h"
 #include "ui/look/text.h"
 #include "ui/menus/menu_rows.h"
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSettings>
 
 namespace ui {
 
@@ -40,6 +45,31 @@ void toggleOverlay(MainWindow& window)
         [](app::Display& display) { display.overlay = !display.overlay; });
 }
 
+QString lessonsFolder()
+{
+    return QSettings().value(QStringLiteral("lessonsFolder"), QDir::homePath()).toString();
+}
+
+/// Opens lessons that the person chose; remembers where.
+void openLessons(MainWindow& window, const QStringList& paths)
+{
+    if (paths.isEmpty())
+        return;
+    QSettings().setValue(QStringLiteral("lessonsFolder"), QFileInfo(paths.front()).absolutePath());
+    window.openLessons(paths);
+}
+
+void openLessonFolder(MainWindow& window)
+{
+    const QString folder = window.files().questions().lessonFolderToOpen(lessonsFolder());
+    openLessons(window, folder.isEmpty() ? QStringList() : QStringList(folder));
+}
+
+void openLessonFiles(MainWindow& window)
+{
+    openLessons(window, window.files().questions().lessonsToOpen(lessonsFolder()));
+}
+
 } // namespace
 
 // NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
@@ -56,6 +86,18 @@ MenuInfo learnMenu()
                     .icon = "book",
                     .run = [](MainWindow& w) { w.showLessons(); },
                     .checked = [](const MainWindow& w) { return w.showsLessons(); },
+                },
+                {
+                    .key = "open-lessons",
+                    .text = Text::tr("&Open folder of lessons…"),
+                    .icon = "folder",
+                    .run = openLessonFolder,
+                },
+                {
+                    .key = "open-lesson-files",
+                    .text = Text::tr("Open lesson files…"),
+                    .run = openLessonFiles,
+                    .paletteOnly = true,
                 },
                 {
                     .key = "microscope",

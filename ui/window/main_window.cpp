@@ -230,6 +230,11 @@ void MainWindow::closeSheet() { modes_->sheets().close(); }
 
 void MainWindow::showLessons() { modes_->microscope().showLessons(); }
 
+void MainWindow::openLessons(const QStringList& paths)
+{
+    modes_->microscope().openLessons(paths);
+}
+
 bool MainWindow::showsLessons() const { return modes_->microscope().showsLessons(); }
 
 void MainWindow::togglePresenting() { modes_->togglePresenting(); }

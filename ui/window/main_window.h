@@ -102,6 +102,8 @@ public:
     /// Shows the lessons beside the microscope.
     void showLessons();
     bool showsLessons() const;
+    /// Opens lesson files and folders of them, beside the program's own lessons.
+    void openLessons(const QStringList& paths);
 
     /// Enters or leaves presentation mode, for a projector: full screen, no panels, wide strokes,
     /// large type.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons/lesson_files.h"
 #include "ui/editing/editing.h"
 #include "ui/files/files.h"
 #include "ui/look/window_place.h"
@@ -142,14 +143,20 @@ void MainWindow::dropEvent(QDropEvent* event)
 {
     event->acceptProposedAction();
     const QStringList paths = localFiles(*event->mimeData());
+    if (paths.isEmpty())
+        return takeDropped(*event->mimeData(), event->position());
+    QStringList lessons, drawings;
+    for (const QString& path : paths)
+        (app::isLessonPath(path) ? lessons : drawings) << path;
+    if (!lessons.isEmpty())
+        openLessons(lessons);
+    if (!drawings_) // one file replaces the drawing
+        drawings = drawings.first(std::min<qsizetype>(1, drawings.size()));
     // Queued until the drop is finished, because a question may follow while the other program
-    // waits. Without tabs, one file replaces the drawing.
-    for (const QString& path :
-         drawings_ ? paths : paths.first(std::min<qsizetype>(1, paths.size())))
+    // waits.
+    for (const QString& path : drawings)
         QMetaObject::invokeMethod(
             this, [this, path] { files_->open(path); }, Qt::QueuedConnection);
-    if (paths.isEmpty())
-        takeDropped(*event->mimeData(), event->position());
 }
 
 /// The drawing or text of another program comes to the place where it was dropped.

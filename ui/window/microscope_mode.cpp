@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/microscope_mode.h"
 
+#include "app/lessons/opened_lessons.h"
 #include "ui/canvas/canvas.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/microscope/microscope_page.h"
@@ -71,6 +72,25 @@ void MicroscopeMode::showLessons()
 bool MicroscopeMode::showsLessons() const
 {
     return centre_.microscope() && centre_.microscope()->side();
+}
+
+LessonPanel* MicroscopeMode::lessonPanel() const
+{
+    return showsLessons() ? qobject_cast<LessonPanel*>(centre_.microscope()->side()) : nullptr;
+}
+
+void MicroscopeMode::openLessons(const QStringList& paths)
+{
+    if (paths.isEmpty())
+        return;
+    reading_.start(
+        [paths](const app::Follower& follower) { return app::readLessonFiles(paths, follower); },
+        [this](std::vector<app::LessonFile> files) {
+            const auto first = app::addOpenedLessons(std::move(files));
+            showLessons();
+            if (LessonPanel* panel = lessonPanel())
+                panel->showOpened(first);
+        });
 }
 
 void MicroscopeMode::closeLessons()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/background.h"
+#include "app/lessons/lesson_files.h"
 #include "app/session/drawn_line.h"
 
 #include <QPointer>
@@ -10,6 +12,7 @@ namespace ui {
 
 class Canvas;
 class Centre;
+class LessonPanel;
 class MicroscopePage;
 
 /// The microscope in place of the canvas, and the lessons beside it. Its page is made when it is
@@ -30,6 +33,8 @@ public:
     /// Shows the lessons; opens the microscope for them.
     void showLessons();
     bool showsLessons() const;
+    /// Reads lesson files and folders of them on another thread, and shows them in the list.
+    void openLessons(const QStringList& paths);
 
 signals:
     void made(ui::MicroscopePage* page);
@@ -38,12 +43,14 @@ signals:
 private:
     void make();
     void closeLessons();
+    LessonPanel* lessonPanel() const; ///< null: the lessons are not shown
 
     app::Session& session_;
     app::DrawnLine& drawn_;
     Canvas& canvas_;
     Centre& centre_;
     QPointer<QWidget> focusBefore_;
+    app::Background<std::vector<app::LessonFile>> reading_;
 };
 
 } // namespace ui

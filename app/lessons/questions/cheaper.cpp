@@ -64,6 +64,8 @@ std::optional<Question> askCheaper(const TracedLine& tracedLine, const Narration
 } // namespace
 
 extern const QuestionKind cheaperQuestion;
-const QuestionKind cheaperQuestion{"cheaper", askCheaper, Covered::AllSteps, 4};
+const QuestionKind cheaperQuestion{
+    "cheaper", askCheaper, Covered::AllSteps, 4,
+    QT_TRANSLATE_NOOP("Text", "an operation and two algorithms, such as “divisions cs nln”")};
 
 } // namespace app

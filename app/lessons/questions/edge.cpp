@@ -41,6 +41,10 @@ std::optional<Question> askEdge(const TracedLine& tracedLine, const Narration& n
 } // namespace
 
 extern const QuestionKind edgeQuestion;
-const QuestionKind edgeQuestion{"edge", askEdge, Covered::LaterSteps, 4};
+const QuestionKind edgeQuestion{
+    "edge", askEdge, Covered::LaterSteps, 4,
+    QT_TRANSLATE_NOOP(
+        "Text",
+        "a step that is followed by a cut at an edge; choose an earlier one with “:: step”")};
 
 } // namespace app

@@ -49,6 +49,9 @@ std::optional<Question> askNext(const TracedLine&, const Narration& narration, s
 } // namespace
 
 extern const QuestionKind nextQuestion;
-const QuestionKind nextQuestion{"next", askNext, Covered::LaterSteps, 4};
+const QuestionKind nextQuestion{
+    "next", askNext, Covered::LaterSteps, 4,
+    QT_TRANSLATE_NOOP("Text", "a step that is followed by a division, a cut or a decision; choose "
+                              "an earlier one with “:: step”")};
 
 } // namespace app

@@ -38,6 +38,7 @@ std::optional<Question> askPart(const TracedLine& tracedLine, const Narration&, 
 } // namespace
 
 extern const QuestionKind partQuestion;
-const QuestionKind partQuestion{"part", askPart, Covered::AllSteps, 3};
+const QuestionKind partQuestion{"part", askPart, Covered::AllSteps, 3,
+                                QT_TRANSLATE_NOOP("Text", "a line that the window cuts twice")};
 
 } // namespace app

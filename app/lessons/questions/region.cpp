@@ -45,6 +45,7 @@ std::optional<Question> askRegion(const TracedLine& tracedLine, const Narration&
 } // namespace
 
 extern const QuestionKind regionQuestion;
-const QuestionKind regionQuestion{"region", askRegion, Covered::AllSteps, 4};
+const QuestionKind regionQuestion{"region", askRegion, Covered::AllSteps, 4,
+                                  QT_TRANSLATE_NOOP("Text", "the number of an end, 1 or 2")};
 
 } // namespace app

@@ -75,6 +75,7 @@ std::optional<Question> askRight(const TracedLine& tracedLine, const Narration& 
 } // namespace
 
 extern const QuestionKind rightQuestion;
-const QuestionKind rightQuestion{"right", askRight, Covered::AllSteps, 5};
+const QuestionKind rightQuestion{"right", askRight, Covered::AllSteps, 5,
+                                 QT_TRANSLATE_NOOP("Text", "a line that can be clipped")};
 
 } // namespace app

@@ -37,6 +37,7 @@ std::optional<Question> askVisible(const TracedLine& tracedLine, const Narration
 } // namespace
 
 extern const QuestionKind visibleQuestion;
-const QuestionKind visibleQuestion{"visible", askVisible, Covered::AllSteps, 4};
+const QuestionKind visibleQuestion{"visible", askVisible, Covered::AllSteps, 4,
+                                   QT_TRANSLATE_NOOP("Text", "a line that can be clipped")};
 
 } // namespace app

@@ -55,6 +55,7 @@ class OutputTest : public QObject {
                 {"algorithms", {{}, {"-f", "json"}}},
                 {"bench", {{"-n", "100", "-r", "1", "-a", "md"}}},
                 {"judge", {{PLUG_INS "/example.so"}}},
+                {"lesson", {{"check", SOURCE_DIR "/resources/lessons/outcodes.md"}}},
                 {"help", {{}, {"snapping"}}}};
     }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/lessons/parse_lesson.h"
+
+namespace app {
+
+/// What the parser cannot see: whether each page's line can be shown, its step exists, its question
+/// can be asked about its line and about lines that its families draw. Takes up to a second.
+std::vector<LessonFault> faultsOf(const ParsedLesson& parsed);
+
+} // namespace app

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons/lesson_page.h"
+
+#include "app/base/text.h"
+#include "app/lessons/lesson_page_parts.h"
+#include "app/lessons/markdown_html.h"
+#include "app/teaching/trace_page_parts.h"
+
+#include <QFile>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr std::uint64_t mostLines = 4; // about which a question can be
+constexpr int pictureWidth = 560;
+
+QByteArray ofLesson(const char* name)
+{
+    QFile file(QStringLiteral(":/lesson_page/") + QLatin1StringView(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QByteArray pageButton(const char* id, const QString& text, const QString& tip)
+{
+    return QByteArray("<button type=\"button\" id=\"") + id + "\" title=\""
+           + tip.toHtmlEscaped().toUtf8() + "\">" + text.toHtmlEscaped().toUtf8() + "</button>\n";
+}
+
+QByteArray barHtml()
+{
+    return "<nav id=\"bar\" hidden>\n"
+           + pageButton("back", Text::tr("Back"), Text::tr("Previous page (Page Up)"))
+           + "<span id=\"place\"></span>\n<span id=\"score\"></span>\n"
+           + pageButton("skip", Text::tr("Skip"),
+                        Text::tr("Go on without an answer. The question then does not count as "
+                                 "right."))
+           + pageButton("next", Text::tr("Next"), Text::tr("Next page (Page Down)")) + "</nav>\n";
+}
+
+/// The right answers, for paper and for browsers without scripts.
+QByteArray answersHtml(const Lesson& lesson)
+{
+    QByteArray html = "<section class=\"answers\">\n<h2>"
+                      + Text::tr("Answers").toHtmlEscaped().toUtf8() + "</h2>\n<ol>\n";
+    for (const LessonPage& page : lesson.pages)
+        if (const QString answer = rightAnswer(page, 1); !answer.isEmpty())
+            html += "<li>" + answer.toHtmlEscaped().toUtf8() + "</li>\n";
+    return html + "</ol>\n</section>\n";
+}
+
+/// A page with the lines `about`.
+QByteArray articleHtml(const LessonPage& page, const QString& place, const QByteArray& about)
+{
+    return "<article class=\"page\">\n" + paragraphHtml("place", place)
+           + pictureHtml(page.picture, pictureWidth) + "<div class=\"text\">\n"
+           + markdownHtml(page.text) + "</div>\n" + about
+           + (page.shows.code ? codeHtml(narrationOf(page.tracedLine).code) : QByteArray())
+           + "</article>\n";
+}
+
+} // namespace
+
+Result<QByteArray> lessonHtml(const Lesson& lesson)
+{
+    const auto& pages = lesson.pages;
+    const QByteArray before = pageHeadHtml(lesson.title, ofLesson("lesson.css"))
+                              + "<body>\n<header>\n<h1>" + lesson.title.toHtmlEscaped().toUtf8()
+                              + "</h1>\n" + paragraphHtml("summary", lesson.summary) + "</header>\n"
+                              + barHtml() + "<main>\n";
+    const QByteArray after = "</main>\n<section id=\"ending\" hidden>\n<p id=\"verdict\"></p>\n"
+                             + pageButton("repeat", Text::tr("Repeat lesson"),
+                                          Text::tr("Start this lesson again, with other lines"))
+                             + "</section>\n" + answersHtml(lesson) + lessonWordsHtml(lesson)
+                             + "<script>\n" + ofLesson("lesson.js")
+                             + "</script>\n</body>\n</html>\n";
+    const auto place = [&](std::size_t i) {
+        return Text::tr("%1 of %2").arg(i + 1).arg(pages.size());
+    };
+    qsizetype size = before.size() + after.size();
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        size += articleHtml(pages[i], place(i), {}).size();
+    std::vector<QByteArray> about(pages.size());
+    for (std::uint64_t seed = 1; seed <= mostLines; ++seed) {
+        std::vector<QByteArray> more(pages.size());
+        qsizetype added = 0;
+        for (std::size_t i = 0; i < pages.size() && size + added <= mostLessonPageBytes; ++i)
+            if (seed == 1 || !pages[i].families.isEmpty())
+                added += (more[i] = lineHtml(pages[i], seed)).size();
+        if (size + added > mostLessonPageBytes && seed == 1)
+            return Result<QByteArray>::failure(
+                Text::tr("The page would have more than %1 kB. Divide the lesson, or leave "
+                         "pictures out.")
+                    .arg(mostLessonPageBytes / 1000));
+        if (size + added > mostLessonPageBytes)
+            break;
+        size += added;
+        for (std::size_t i = 0; i < pages.size(); ++i)
+            about[i] += more[i];
+    }
+    QByteArray html = before;
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        html += articleHtml(pages[i], place(i), about[i]);
+    return Result<QByteArray>::of(html + after);
+}
+
+} // namespace app
