@@ -9,6 +9,7 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <numeric>
 
 namespace app {
@@ -37,10 +38,12 @@ QPen penOf(const Style& style, double pixelsPerUnit)
     const double sum = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
     if (sum * pixelsPerUnit < shortestPattern)
         return pen;
+    // Of dashes without length, the caps are visible, which QPainter leaves out.
+    const double shortest = style.cap == Cap::Butt ? 0 : 1e-3;
     QList<qreal> pattern; // in stroke widths
     for (int twice = style.dashes.size() % 2 == 0 ? 1 : 2; twice > 0; --twice)
         for (const double dash : style.dashes)
-            pattern << dash / style.width;
+            pattern << std::max(dash / style.width, shortest);
     pen.setDashPattern(pattern);
     pen.setDashOffset(style.dashOffset / style.width);
     return pen;
@@ -64,6 +67,14 @@ std::optional<Hairline> hairlineOf(const Object& object, const QTransform& toPix
     return Hairline::of(seen.p1(), seen.p2(), width, Cap::Butt);
 }
 
+/// Whether a path never leaves its start.
+bool isPoint(const Subpath& path)
+{
+    return std::ranges::all_of(path.segments, [&](const PathSegment& segment) {
+        return !segment.curved && segment.to == path.start;
+    });
+}
+
 /// How strokes and fills with many points are painted: a sum of coverage needs pixels.
 enum class On : std::uint8_t { Image, Paper };
 
@@ -82,7 +93,7 @@ void paint(QPainter& painter, const Object& object, double pixelsPerUnit, On on)
     if (style.cap == Cap::Butt)
         return;
     for (const Subpath& path : object.path.subpaths()) // of a point only the caps are visible
-        if (path.segments.empty())
+        if (isPoint(path))
             painter.drawPoint(QPointF(path.start.x, path.start.y));
 }
 
