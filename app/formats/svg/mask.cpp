@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plain masks: of opaque shapes in white, which show, and in black, which hide. They are cuts, like
-// clip paths. All others are told.
+// Plain masks: of opaque shapes in one colour, which show, and in black, which hide. They are cuts,
+// like clip paths; a colour darker than white is an opacity, too. All others are told.
 #include "app/cut/stroke_area.h"
 #include "app/document/flatten.h"
 #include "app/formats/svg/limits.h"
@@ -11,14 +11,15 @@
 namespace app::svg {
 namespace {
 
-constexpr Colour white{255, 255, 255, 255}, black{0, 0, 0, 255};
-
 bool isSeen(const std::optional<Colour>& colour) { return colour && colour->alpha > 0; }
 
-bool isPlainColour(const std::optional<Colour>& colour, bool byAlpha)
+// How much of what is behind it a colour lets through.
+double strengthOf(const Colour& c, bool byAlpha)
 {
-    return !isSeen(colour)
-           || (colour->alpha == 255 && (byAlpha || *colour == white || *colour == black));
+    if (byAlpha)
+        return c.alpha / 255.0;
+    const double luminance = 0.2125 * c.red + 0.7154 * c.green + 0.0721 * c.blue;
+    return std::round(luminance) / 255 * (c.alpha / 255.0);
 }
 
 bool hasEffect(const Properties& properties)
@@ -36,6 +37,21 @@ bool isPlainPaint(const Properties& p, const OutlineKind& kind)
 
 } // namespace
 
+// Whether a colour can be part of the mask.
+bool TreeDrawer::MaskShapes::takes(const std::optional<Colour>& colour)
+{
+    if (!isSeen(colour))
+        return true;
+    const bool isOpaque = colour->alpha == 255;
+    const double one = strengthOf(*colour, byAlpha);
+    if (one == 0)
+        return isOpaque;
+    const bool fits = strength.value_or(one) == one;
+    strength = one;
+    isFaint = isFaint || !isOpaque;
+    return fits && (++paints == 1 || !isFaint); // several that are not opaque may overlap
+}
+
 void TreeDrawer::addMask(const Boxed& boxed, Place& place)
 {
     const auto line = report_.line();
@@ -44,6 +60,8 @@ void TreeDrawer::addMask(const Boxed& boxed, Place& place)
     Place masked = place;
     if (isMask && std::ranges::count(clipping_, mask) == 0 && addMaskArea(mask, boxed, masked)) {
         place.clips = std::move(masked.clips);
+        place.opacity = masked.opacity;
+        place.properties.opacity = masked.properties.opacity;
         place.properties.mask = {};
         report_.turnTo(line);
         report_.add(losses::cutMask);
@@ -62,7 +80,8 @@ bool TreeDrawer::addMaskArea(Node mask, const Boxed& boxed, Place& place)
     base = styled(mask, base);
     base.opacity = 1; // neither opacity nor transform of the mask itself has an effect
     base.matrix = place.matrix;
-    if (hasEffect(base.properties) || !addMaskRegion(mask, boxed, base, place))
+    if (hasEffect(base.properties) || base.properties.linearColours
+        || !addMaskRegion(mask, boxed, base, place))
         return false;
     if (const auto own = base.properties.clipPath; !own.empty())
         addClipPath(own, boxed, place);
@@ -71,8 +90,12 @@ bool TreeDrawer::addMaskArea(Node mask, const Boxed& boxed, Place& place)
     const bool isPlain = turnToBox(tree_.attribute(mask, "maskContentUnits"), boxed, base)
                          && addMaskContent(mask, base, shapes);
     clipping_.pop_back();
-    return isPlain && shapes.windows.list.size() <= ClipWindows::most
-           && addWindows(std::move(shapes.windows), place);
+    if (!isPlain || shapes.windows.list.size() > ClipWindows::most)
+        return false;
+    const double strength = shapes.strength.value_or(1);
+    place.opacity *= strength;
+    place.properties.opacity *= strength;
+    return addWindows(std::move(shapes.windows), place);
 }
 
 // The rectangle outside which a mask hides everything; usually, nothing is there.
@@ -80,6 +103,9 @@ bool TreeDrawer::addMaskRegion(Node mask, const Boxed& boxed, const Place& base,
 {
     const bool ofUser = tree_.attribute(mask, "maskUnits") == "userSpaceOnUse";
     const auto is = [&](std::string_view name) { return tree_.hasAttribute(mask, name); };
+    const auto bounds = ofUser ? std::nullopt : boundsOf(boxed.node, boxed.place);
+    if (bounds && bounds->size.x * bounds->size.y == 0)
+        return addWindows({}, place); // a rectangle in this box is empty
     if (!ofUser && !is("x") && !is("y") && !is("width") && !is("height"))
         return true;
     Place units = base;
@@ -136,17 +162,17 @@ bool TreeDrawer::addMaskElement(Node node, const Place& around, MaskShapes& shap
 bool TreeDrawer::addMaskShape(Node node, const Place& place, MaskShapes& shapes)
 {
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
-    if (!kind || !isPlainPaint(place.properties, *kind))
+    if (!kind || !isPlainPaint(place.properties))
         return false;
     if (!place.properties.visible)
         return true;
     const Style style = paints_.style(place.properties, place.opacity,
                                       {place.matrix.scale(), place.matrix.scale()});
-    if (!isPlainColour(style.fill, shapes.byAlpha) || !isPlainColour(style.stroke, shapes.byAlpha))
+    if (!shapes.takes(style.fill) || !shapes.takes(style.stroke))
         return false;
     const Path path(placed(outlineOf(*kind, node, place), place.matrix));
     const auto add = [&](const Path& area, FillRule rule, const Colour& colour) {
-        const bool hides = colour == black && !shapes.byAlpha;
+        const bool hides = strengthOf(colour, shapes.byAlpha) == 0;
         std::vector<PathShape> left;
         if (!addCut({area, rule}, place.clips, left))
             return false;

@@ -186,12 +186,27 @@ bool setOverflow(P& p, Value text, const Given&)
     return true;
 }
 
+// Where no style says it, the value that is inherited is "visible".
+void copyOverflow(P& to, const P& from)
+{
+    to.overflowShown = from.overflowShown || !from.overflowGiven;
+    to.overflowGiven = true;
+}
+
 bool setMaskType(P& p, Value text, const Given&)
 {
     const auto type = wordOf(text, std::array<Value, 2>{"luminance", "alpha"});
     if (type)
         p.maskByAlpha = *type == 1;
     return type.has_value();
+}
+
+bool setInterpolation(P& p, Value text, const Given&)
+{
+    const auto space = wordOf(text, std::array<Value, 3>{"auto", "srgb", "linearrgb"});
+    if (space)
+        p.linearColours = *space == 2;
+    return space.has_value();
 }
 
 bool setVectorEffect(P& p, Value text, const Given&)
@@ -332,8 +347,9 @@ constexpr std::array allProperties{
     inherited<&P::join>("stroke-linejoin", setJoin),
     inherited<&P::fillRule>("fill-rule", setRule<&P::fillRule>),
     inherited<&P::clipRule>("clip-rule", setRule<&P::clipRule>),
+    inherited<&P::linearColours>("color-interpolation", setInterpolation),
     inherited<&P::visible>("visibility", setVisibility),
-    inherited<&P::strokeBelow>("paint-order", setPaintOrder),
+    inherited<&P::paintOrder>("paint-order", setPaintOrder),
     inherited<&P::markerStart>("marker-start", setText<&P::markerStart>),
     inherited<&P::markerMid>("marker-mid", setText<&P::markerMid>),
     inherited<&P::markerEnd>("marker-end", setText<&P::markerEnd>),

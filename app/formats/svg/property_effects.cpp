@@ -59,7 +59,7 @@ constexpr auto withoutEffect = std::to_array<std::string_view>({
     "word*",
     // of filters, masks, gradients and images, which are told themselves
     "buffered-rendering",
-    "color-interpolation*",
+    "color-interpolation-filters",
     "color-profile",
     "color-rendering",
     "enable-background",

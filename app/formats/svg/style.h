@@ -56,7 +56,8 @@ struct Properties {
     Join join = Join::Miter;
     FillRule fillRule = FillRule::NonZero, clipRule = FillRule::NonZero;
     bool visible = true;
-    bool strokeBelow = false; ///< paint-order: whether the stroke is painted before the fill
+    bool linearColours = false; ///< color-interpolation, which matters in masks
+    PaintOrder paintOrder{PaintPart::Fill, PaintPart::Stroke, PaintPart::Markers};
     double fontSize = 16;
     TextStyle text{};
     std::string_view markerStart{}, markerMid{}, markerEnd{};

@@ -113,8 +113,13 @@ private:
     const Properties& inheritedBy(Node node);
     /// The shapes of a mask, from bottom to top.
     struct MaskShapes {
+        bool takes(const std::optional<Colour>& colour);
+
         ClipWindows windows{};
-        bool byAlpha = false; ///< whether colours do not count
+        bool byAlpha = false;             ///< whether colours do not count
+        std::optional<double> strength{}; ///< how much of the content they show
+        bool isFaint = false;             ///< whether the only shape is not opaque
+        int paints = 0;                   ///< that show something
     };
     void addMask(const Boxed& boxed, Place& place);
     bool addMaskArea(Node mask, const Boxed& boxed, Place& place);

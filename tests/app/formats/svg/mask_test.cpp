@@ -83,6 +83,48 @@ private slots:
         QVERIFY(reportOf(mask + masked(hatch())).contains("1 mask was replaced by a real cut"));
     }
 
+    void greyMasksAreOpacities_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<int>("alpha");
+        const QByteArray box = "<rect width='50' height='100' ";
+        QTest::newRow("grey") << box + "fill='#666'/>" << 102;
+        QTest::newRow("green") << box + "fill='#0f0'/>" << 182;
+        QTest::newRow("soft") << box + "fill='#fff' opacity='.4'/>" << 102;
+        QTest::newRow("in a soft group") << "<g opacity='.4'>" + box + "fill='#fff'/></g>" << 102;
+        QTest::newRow("two of one grey")
+            << box + "fill='#666'/><circle r='20' fill='#666'/>" << 102;
+        QTest::newRow("black on grey")
+            << box + "fill='#666'/><rect x='50' y='50' width='9' height='9'/>" << 102;
+    }
+    void greyMasksAreOpacities()
+    {
+        QFETCH(QByteArray, content);
+        QFETCH(int, alpha);
+        const QByteArray line = "<path d='M0 30H100' stroke='#000' mask='url(#m)'/>"
+                                "<path d='M0 90H100V95' stroke='#000' mask='url(#m)'/>";
+        const auto result = readText(
+            drawing(mask(content, "maskUnits='userSpaceOnUse' width='100' height='100'") + line));
+        QVERIFY(result);
+        QCOMPARE(int(result.value->document.objects()[0].style().stroke->alpha), alpha);
+        QCOMPARE(lengthOf(mask(content) + masked(hatch())), 450.0);
+    }
+
+    void whatHasNoAreaHasNoMaskInItsBox()
+    {
+        const QByteArray line = "<path d='M0 30H100' stroke='#000' mask='url(#m)'/>";
+        QCOMPARE(lengthOf(mask("<rect width='90' height='90' fill='#fff'/>") + line), 0.0);
+    }
+
+    void greyInLinearColoursIsTold()
+    {
+        const QByteArray elements =
+            mask("<rect width='50' height='100' fill='#888'/>", "color-interpolation='linearRGB'")
+            + masked(hatch());
+        QCOMPARE(lengthOf(elements), all);
+        QCOMPARE(reportOf(elements), "1 mask");
+    }
+
     void otherMasksAreTold_data()
     {
         QTest::addColumn<QByteArray>("content");
