@@ -180,6 +180,13 @@ constexpr std::array colourFunctions{
     ColourFunction{"lch", fromLch},    ColourFunction{"oklab", fromOklab},
     ColourFunction{"oklch", fromOklch}};
 
+// Whether numbers stand beside percentages, which rgb() with commas does not allow.
+bool mixesKinds(std::string_view function, const Parts& p)
+{
+    return function.starts_with("rgb")
+           && (p.percent[0] != p.percent[1] || p.percent[0] != p.percent[2]);
+}
+
 std::optional<Colour> fromFunction(std::string_view text)
 try {
     Scanner in(text);
@@ -197,7 +204,7 @@ try {
     if (function == colourFunctions.end() || !in.take('('))
         return std::nullopt;
     const auto parts = parseParts(in);
-    if (!parts)
+    if (!parts || (text.find(',') != text.npos && mixesKinds(function->name, *parts)))
         return std::nullopt;
     Colour colour = function->colour(*parts);
     colour.alpha = byte(parts->value[3] / (parts->percent[3] ? 100 : 1));

@@ -62,6 +62,9 @@ inline constexpr LossKind gradient{QT_TRANSLATE_NOOP("Text", "gradient"),
                                    QT_TRANSLATE_NOOP("Text", "gradients"), false,
                                    QT_TRANSLATE_NOOP("Text", "its mean colour is used"),
                                    QT_TRANSLATE_NOOP("Text", "their mean colours are used")};
+inline constexpr LossKind emptyGradient{
+    QT_TRANSLATE_NOOP("Text", "gradient without colours, which paints nothing"),
+    QT_TRANSLATE_NOOP("Text", "gradients without colours, which paint nothing"), true};
 inline constexpr LossKind pattern{QT_TRANSLATE_NOOP("Text", "pattern"),
                                   QT_TRANSLATE_NOOP("Text", "patterns"), false,
                                   QT_TRANSLATE_NOOP("Text", "its mean colour is used"),
@@ -190,6 +193,16 @@ inline constexpr LossKind language{
 inline constexpr LossKind extension{
     QT_TRANSLATE_NOOP("Text", "element that only programs with an extension draw was left out"),
     QT_TRANSLATE_NOOP("Text", "elements that only programs with an extension draw were left out"),
+    true};
+inline constexpr LossKind rootCondition{
+    QT_TRANSLATE_NOOP("Text", "drawing for another language or extension was read all the same"),
+    QT_TRANSLATE_NOOP("Text", "drawings for other languages or extensions were read all the same"),
+    true};
+inline constexpr LossKind emptyPage{
+    QT_TRANSLATE_NOOP(
+        "Text", "size of the drawing of 0 or less, with which SVG draws nothing, was ignored"),
+    QT_TRANSLATE_NOOP(
+        "Text", "sizes of the drawing of 0 or less, with which SVG draws nothing, were ignored"),
     true};
 inline constexpr LossKind sizeless{
     QT_TRANSLATE_NOOP("Text", "element of size 0 or less, which SVG does not draw, was left out"),

@@ -14,9 +14,13 @@ namespace {
 
 constexpr Length wholeWidth{100, Unit::Percent}; // SVG's default for a missing size
 
-Length readSize(std::string_view text)
+Length readSize(std::string_view name, std::string_view text, Report& report)
 {
     const auto length = parseLength(text);
+    const auto value = Lengths{}.parse(text, 1);
+    report.add(losses::emptyPage, value && *value <= 0);
+    if (!value && !trimmed(text).empty() && !equalsIgnoringCase(trimmed(text), "auto"))
+        report.add(losses::value, std::string(name) + ": " + std::string(text));
     if (length && length->value > 0 && infoOf(length->unit).inSvg)
         return length->unit == Unit::User ? Length{length->value, Unit::Px} : *length;
     const auto pixels = Lengths{}.parse(text, 0); // other units such as "30em"
@@ -79,8 +83,9 @@ RootPage readPage(const Tree& tree, Styles& styles, Report& report)
         const Report::Silence silence(report);
         return styles.of(0, {}, {});
     }();
-    root.page.width = readSize(lengthText(tree, 0, style, "width"));
-    root.page.height = readSize(lengthText(tree, 0, style, "height"));
+    report.turnTo(tree.line(0));
+    root.page.width = readSize("width", lengthText(tree, 0, style, "width"), report);
+    root.page.height = readSize("height", lengthText(tree, 0, style, "height"), report);
     const Point pixels{toUserUnits(root.page.width, pixel), toUserUnits(root.page.height, pixel)};
     const auto box = readViewBox(tree, 0, report);
     root.openX = !box && pixels.x <= 0;

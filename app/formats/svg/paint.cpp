@@ -111,6 +111,7 @@ std::optional<Colour> Paints::gradientColour(Node node, const Properties& p,
     const GradientStops& stops = at->second;
     if (isNew)
         at->second = gradientStops(tree_, node, styles_, report_);
+    report_.add(losses::emptyGradient, stops.empty());
     if (stops.empty())
         return std::nullopt;
     if (isPlain(stops))

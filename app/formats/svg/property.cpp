@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/property.h"
 
+#include "app/formats/svg/calc.h"
 #include "app/formats/svg/colour.h"
 #include "app/formats/svg/element_transform.h"
 #include "app/formats/svg/limits.h"
@@ -116,7 +117,8 @@ bool setWidth(P& p, Value text, const Given& given)
 
 bool setMiterLimit(P& p, Value text, const Given& given)
 {
-    const auto limit = given.lengths.parse(text, 1);
+    const bool isNumber = isCalc(text) || text.find_first_not_of("0123456789.eE+-") == text.npos;
+    const auto limit = isNumber ? given.lengths.parse(text, 1) : std::nullopt;
     if (!limit || *limit < 1)
         return false;
     p.miterLimit = *limit;

@@ -114,6 +114,7 @@ TreeDrawer::TreeDrawer(const Tree& tree, Styles& styles, Report& report, const P
 Document TreeDrawer::drawAll(const Matrix& rootMatrix, const Point& viewport)
 {
     report_.turnTo(line());
+    reportRootConditions();
     idOf(0); // reserves the root's id
     Place place;
     place.matrix = rootMatrix;
@@ -166,6 +167,16 @@ bool TreeDrawer::isWanted(Node node)
     report_.add(losses::extension, isExtended);
     report_.add(losses::language, isForeign && !isExtended);
     return !isExtended && !isForeign;
+}
+
+// Those of the whole drawing do not keep it from being read.
+void TreeDrawer::reportRootConditions()
+{
+    const bool wanted = [&] {
+        const Report::Silence silence(report_);
+        return isWanted(0);
+    }();
+    report_.add(losses::rootCondition, !wanted);
 }
 
 void TreeDrawer::drawChildren(Node node, const Place& place)

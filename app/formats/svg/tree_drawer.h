@@ -62,6 +62,7 @@ private:
     static void refuseTooDeep(const Place& around);
     void drawChildren(Node node, const Place& place);
     bool isWanted(Node node);
+    void reportRootConditions();
     /// The context for an element's content, with the element's transform and properties applied.
     Place inside(Node node, const Place& around);
     Place styled(Node node, const Place& around); ///< the same without clip paths

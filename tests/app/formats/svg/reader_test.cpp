@@ -428,6 +428,32 @@ private slots:
         QCOMPARE(reportOf("<path d='M0 0h1v1' fill='red' style='paint-order:stroke'/>"), "");
     }
 
+    void miterLimitHasNoUnit()
+    {
+        QCOMPARE(reportOf("<path d='M0 0h1v1' stroke='#000' stroke-miterlimit='5mm'/>"),
+                 "1 value “stroke-miterlimit: 5mm” that is not understood");
+        QCOMPARE(
+            shapeOf("<path d='M0 0h1v1' stroke='#000' stroke-miterlimit='2e1'/>").style.miterLimit,
+            20.0);
+    }
+
+    void whatSvgWouldNotDrawAtAllIsReadAndTold()
+    {
+        const auto told = [](const QByteArray& attributes) {
+            const auto result = readText("<svg xmlns='http://www.w3.org/2000/svg' " + attributes
+                                         + "><path d='M0 0h1v1'/></svg>");
+            return result && result.value->document.objects().size() == 1
+                           && result.value->report.size() == 1
+                       ? result.value->report[0].what
+                       : result.error;
+        };
+        QCOMPARE(told("width='0' height='9'"), "size of the drawing of 0 or less, with which SVG "
+                                               "draws nothing, was ignored");
+        QCOMPARE(told("systemLanguage='ru' width='9' height='9'"),
+                 "drawing for another language or extension was read all the same");
+        QCOMPARE(told("width='wide' height='9'"), "value “width: wide” that is not understood");
+    }
+
     void basicShapes()
     {
         QCOMPARE(pathsOf("<rect x='1' y='2' width='3' height='4'/>"), "1,2 4,2 4,6 1,6 z");
