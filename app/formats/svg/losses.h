@@ -172,6 +172,11 @@ inline constexpr LossKind strokeBelow{
     QT_TRANSLATE_NOOP("Text", "stroke below the fill of its shape became a shape of its own"),
     QT_TRANSLATE_NOOP("Text", "strokes below the fills of their shapes became shapes of their own"),
     true};
+inline constexpr LossKind strokeApart{
+    QT_TRANSLATE_NOOP("Text", "stroke above the markers of its shape became a shape of its own"),
+    QT_TRANSLATE_NOOP("Text",
+                      "strokes above the markers of their shapes became shapes of their own"),
+    true};
 inline constexpr LossKind selfUse{
     QT_TRANSLATE_NOOP("Text", "<use> that contains itself"),
     QT_TRANSLATE_NOOP("Text", "<use> elements that contain themselves")};

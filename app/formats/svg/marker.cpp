@@ -116,12 +116,13 @@ void TreeDrawer::drawMarker(Node marker, const MarkerVertex& vertex, const Place
 bool TreeDrawer::turnToMarker(Node marker, Place& place)
 {
     constexpr double usualSize = 3;
+    const Point around = place.lengths.viewport; // what percentages refer to, as in browsers
     const auto length = [&](std::string_view name, double whole, double usual) {
         return place.lengths.parse(tree_.attribute(marker, name), whole).value_or(usual);
     };
-    const Box viewport{{},
-                       {length("markerWidth", place.lengths.viewport.x, usualSize),
-                        length("markerHeight", place.lengths.viewport.y, usualSize)}};
+    const Box viewport{
+        {},
+        {length("markerWidth", around.x, usualSize), length("markerHeight", around.y, usualSize)}};
     if (!(viewport.size.x > 0 && viewport.size.y > 0)) {
         report_.add(losses::sizeless);
         return false;
@@ -141,7 +142,7 @@ bool TreeDrawer::turnToMarker(Node marker, Place& place)
                                           {"bottom", 1.0}})
             if (equalsIgnoringCase(text, word))
                 return content.min[axis] + share * content.size[axis];
-        return length(name, content.size[axis], 0);
+        return length(name, around[axis], 0);
     };
     place.matrix =
         place.matrix * translation(-toViewport({reference("refX", 0), reference("refY", 1)}));

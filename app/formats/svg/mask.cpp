@@ -7,6 +7,7 @@
 #include "app/formats/svg/tree_drawer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace app::svg {
 namespace {
@@ -27,12 +28,11 @@ bool hasEffect(const Properties& properties)
     return !(properties.mask.empty() && properties.filter.empty() && properties.blending.empty());
 }
 
-bool isPlainPaint(const Properties& p, const OutlineKind& kind)
+bool isPlainPaint(const Properties& p)
 {
-    const bool marked =
-        kind.takesMarkers && !(p.markerStart.empty() && p.markerMid.empty() && p.markerEnd.empty());
+    const bool marked = !(p.markerStart.empty() && p.markerMid.empty() && p.markerEnd.empty());
     return p.fill.kind != Paint::Kind::Reference && p.stroke.kind != Paint::Kind::Reference
-           && !marked && !p.strokeBelow;
+           && !marked && p.paintOrder == Properties().paintOrder;
 }
 
 } // namespace

@@ -30,7 +30,14 @@ public:
     }
     double width() const { return lengths_.viewport.x; }
     double height() const { return lengths_.viewport.y; }
-    Outline outline(std::vector<Subpath> paths) const { return {std::move(paths), damaged_}; }
+    Outline outline(Subpath path) const
+    {
+        Outline made{{std::move(path)}, damaged_};
+        const Subpath& only = made.paths.front();
+        if (only.closed && only.segments.back().to == only.start) // it is closed by this segment
+            made.joints.push_back({0, only.segments.size() - 1});
+        return made;
+    }
     Outline nothing() const { return {{}, damaged_, !damaged_}; }
 
 private:
@@ -75,8 +82,8 @@ Outline rectangleOutline(const Tree& tree, Node node, const Properties& p, const
         return a.nothing();
     const Point max = min + size;
     if (radii.x > 0 && radii.y > 0)
-        return a.outline({roundedRectangle(min, max, radii)});
-    return a.outline({{min, {{{max.x, min.y}}, {max}, {{min.x, max.y}}}, true}});
+        return a.outline(roundedRectangle(min, max, radii));
+    return a.outline({min, {{{max.x, min.y}}, {max}, {{min.x, max.y}}}, true});
 }
 
 Outline round(ShapeLengths& a, const Point& radii)
@@ -84,7 +91,7 @@ Outline round(ShapeLengths& a, const Point& radii)
     const Point centre{a.x("cx").value_or(0), a.y("cy").value_or(0)};
     if (!(radii.x > 0 && radii.y > 0))
         return a.nothing();
-    return a.outline({ellipsePath(centre, radii)});
+    return a.outline(ellipsePath(centre, radii));
 }
 
 Outline circleElement(const Tree& tree, Node node, const Properties& p, const Lengths& lengths)
@@ -105,7 +112,7 @@ Outline line(const Tree& tree, Node node, const Properties& p, const Lengths& le
     ShapeLengths a(tree, node, p, lengths);
     const Point from{a.x("x1").value_or(0), a.y("y1").value_or(0)};
     const Point to{a.x("x2").value_or(0), a.y("y2").value_or(0)};
-    return a.outline({lineBetween(from, to)});
+    return a.outline(lineBetween(from, to));
 }
 
 Outline polyline(const Tree& tree, Node node, const Properties&, const Lengths&)
@@ -128,13 +135,13 @@ Outline path(const Tree& tree, Node node, const Properties& p, const Lengths&)
 const OutlineKind* findOutlineKind(std::string_view element)
 {
     static constexpr std::array all{
-        OutlineKind{"path", path, true},
-        OutlineKind{"line", line, true},
-        OutlineKind{"polyline", polyline, true},
-        OutlineKind{"polygon", polygon, true},
-        OutlineKind{"rect", rectangleOutline, false},
-        OutlineKind{"circle", circleElement, false},
-        OutlineKind{"ellipse", ellipseElement, false},
+        OutlineKind{"path", path},
+        OutlineKind{"line", line},
+        OutlineKind{"polyline", polyline},
+        OutlineKind{"polygon", polygon},
+        OutlineKind{"rect", rectangleOutline},
+        OutlineKind{"circle", circleElement},
+        OutlineKind{"ellipse", ellipseElement},
     };
     const auto found = std::ranges::find(all, element, &OutlineKind::element);
     return found == all.end() ? nullptr : &*found;

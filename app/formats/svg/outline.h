@@ -11,7 +11,6 @@ struct OutlineKind {
     std::string_view element;
     /// In the element's own coordinates.
     Outline (*outline)(const Tree&, Node, const Properties&, const Lengths&);
-    bool takesMarkers;
 };
 const OutlineKind* findOutlineKind(std::string_view element); ///< null: not a basic shape
 

@@ -185,6 +185,7 @@ bool setVisibility(P& p, Value text, const Given&)
 bool setOverflow(P& p, Value text, const Given&)
 {
     p.overflowShown = is(text, "visible") || is(text, "auto");
+    p.overflowGiven = true;
     return true;
 }
 
@@ -228,16 +229,19 @@ bool setBlending(P& p, Value text, const Given&)
 // "fill stroke markers" in any order; what is left out follows in this order.
 bool setPaintOrder(P& p, Value text, const Given&)
 {
-    const auto words = wordsOf(text);
-    const auto known = [](Value word) {
-        return wordOf(word, std::array<Value, 4>{"normal", "fill", "stroke", "markers"})
-            .has_value();
-    };
-    if (!std::ranges::all_of(words, known))
-        return false;
-    const auto first = std::ranges::find_if(
-        words, [](Value word) { return is(word, "fill") || is(word, "stroke"); });
-    p.strokeBelow = first != words.end() && is(*first, "stroke");
+    std::vector<PaintPart> order;
+    const auto isIn = [&](PaintPart part) { return std::ranges::count(order, part) > 0; };
+    const auto words = is(text, "normal") ? std::vector<Value>() : wordsOf(text);
+    for (const Value word : words) {
+        const auto part = wordOf(word, std::array<Value, 3>{"fill", "stroke", "markers"});
+        if (!part || isIn(PaintPart(*part)))
+            return false;
+        order.push_back(PaintPart(*part));
+    }
+    for (const PaintPart part : PaintOrder{PaintPart::Fill, PaintPart::Stroke, PaintPart::Markers})
+        if (!isIn(part))
+            order.push_back(part);
+    std::ranges::copy(order, p.paintOrder.begin());
     return true;
 }
 
@@ -355,10 +359,10 @@ constexpr std::array allProperties{
     inherited<&P::markerStart>("marker-start", setText<&P::markerStart>),
     inherited<&P::markerMid>("marker-mid", setText<&P::markerMid>),
     inherited<&P::markerEnd>("marker-end", setText<&P::markerEnd>),
-    Property{"marker", setMarkers, copyMarkers, true},
+    Property{"marker", setMarkers, copyMarkers, true, Property::Attribute::Other},
     own<&P::opacity>("opacity", setOpacity<&P::opacity>),
     own<&P::displayed>("display", setDisplay),
-    own<&P::overflowShown>("overflow", setOverflow),
+    Property{"overflow", setOverflow, copyOverflow},
     own<&P::fixedWidth>("vector-effect", setVectorEffect),
     own<&P::clipPath>("clip-path", setText<&P::clipPath>),
     own<&P::mask>("mask", setText<&P::mask>),

@@ -20,6 +20,7 @@ Properties Properties::inherited() const
     child.opacity = initial.opacity;
     child.displayed = initial.displayed;
     child.overflowShown = initial.overflowShown;
+    child.overflowGiven = initial.overflowGiven;
     child.fixedWidth = initial.fixedWidth;
     child.maskByAlpha = initial.maskByAlpha;
     child.transform = {};

@@ -7,6 +7,7 @@
 #include "app/formats/svg/text_style.h"
 #include "app/formats/svg/variables.h"
 
+#include <array>
 #include <unordered_set>
 
 namespace app::svg {
@@ -26,6 +27,10 @@ struct Paint {
     Kind fallback = Kind::None;   ///< of a reference that is not found; Solid: `colour`
     std::string_view reference{}; ///< "url(#gradient)"
 };
+
+/// What of a shape is painted first, second and last.
+enum class PaintPart : std::uint8_t { Fill, Stroke, Markers };
+using PaintOrder = std::array<PaintPart, 3>;
 
 /// How an element is transformed, as written. An empty text says nothing.
 struct TransformTexts {
@@ -68,6 +73,7 @@ struct Properties {
     double opacity = 1;
     bool displayed = true;
     bool overflowShown = false; ///< whether content outside the element's viewport is visible
+    bool overflowGiven = false; ///< whether a style says so; viewports are usually hidden outside
     bool fixedWidth = false;    ///< vector-effect: non-scaling-stroke
     bool maskByAlpha = false;   ///< of a mask: whether its colours do not count
     TransformTexts transform{};

@@ -335,7 +335,7 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
     Outline outline = outlineOf(*kind, node, place);
     scaleDashes(node, outline, properties);
-    const bool marked = kind->takesMarkers && hasMarkers(properties);
+    const bool marked = hasMarkers(properties);
     const auto vertices = marked ? markerVertices(outline) : std::vector<MarkerVertex>();
     Drawn drawn{placed(std::move(outline), place.matrix)};
     if (!drawn.paths.empty() && place.matrix.determinant() == 0) {
@@ -345,17 +345,14 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     if (drawn.paths.empty())
         return;
     reportEffects(properties, false);
-    if (kind->takesMarkers)
-        reportMissingMarkers(properties);
+    reportMissingMarkers(properties);
     const Node named = place.repeated ? around.use : node;
     Particulars particulars = named == noNode ? Particulars() : particularsOf(named);
     particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"), drawn.paths);
     const bool grouped = marked && !place.repeated;
     if (grouped)
         content_.open({.kind = Container::Kind::Group});
-    addShape(std::move(drawn), place, std::move(particulars));
-    if (marked)
-        drawMarkers(vertices, place);
+    addShape(std::move(drawn), place, std::move(particulars), vertices);
     if (grouped)
         content_.close();
 }
@@ -367,7 +364,8 @@ void TreeDrawer::reportMissingMarkers(const Properties& p)
                     !reference.empty() && !isMarker(tree_.findReference(reference)));
 }
 
-void TreeDrawer::addShape(Drawn drawn, const Place& place, Particulars particulars)
+void TreeDrawer::addShape(Drawn drawn, const Place& place, Particulars particulars,
+                          const std::vector<MarkerVertex>& markers)
 {
     Properties properties = place.properties;
     const std::vector<Subpath>& paths = drawn.paths;
@@ -385,15 +383,39 @@ void TreeDrawer::addShape(Drawn drawn, const Place& place, Particulars particula
                 object.style.stroke
                     && !(scale.even && (scale.round() || object.style.cap == Cap::Butt)));
     object.hidden = place.hidden || !properties.visible;
-    if (properties.strokeBelow && object.style.fill && object.style.stroke) {
-        report_.add(losses::strokeBelow);
-        Object below = object;
-        below.style.fill.reset();
-        object.style.stroke.reset();
-        content_.add(std::move(below), place.clips);
-    }
     object.particulars = std::move(particulars);
-    content_.add(std::move(object), place.clips);
+    paintInOrder(std::move(object), place, markers);
+}
+
+// An object is painted with its stroke over its fill, and without markers. In other orders its
+// stroke becomes an object of its own.
+void TreeDrawer::paintInOrder(Object object, const Place& place,
+                              const std::vector<MarkerVertex>& markers)
+{
+    const PaintOrder& order = place.properties.paintOrder;
+    const auto placeOf = [&](PaintPart part) { return std::ranges::find(order, part); };
+    const auto fill = placeOf(PaintPart::Fill), stroke = placeOf(PaintPart::Stroke);
+    const bool between = !markers.empty() && placeOf(PaintPart::Markers) == fill + 1;
+    const bool apart = object.style.fill && object.style.stroke && (stroke < fill || between);
+    report_.add(losses::strokeBelow, apart && stroke < fill);
+    report_.add(losses::strokeApart, apart && stroke > fill);
+    bool isAdded = false;
+    for (const PaintPart part : order) {
+        if (part == PaintPart::Markers) {
+            drawMarkers(markers, place);
+        } else if (apart) {
+            Object piece = object;
+            (part == PaintPart::Fill ? piece.style.stroke : piece.style.fill).reset();
+            if (!isAdded)
+                piece.particulars = {};
+            content_.add(std::move(piece), place.clips);
+            isAdded = true;
+        } else if (!isAdded
+                   && (part == PaintPart::Stroke || object.style.fill || !object.style.stroke)) {
+            content_.add(std::move(object), place.clips);
+            isAdded = true;
+        }
+    }
 }
 
 Outline TreeDrawer::outlineOf(const OutlineKind& kind, Node node, const Place& place)

@@ -164,7 +164,9 @@ private:
     struct Drawn {
         std::vector<Subpath> paths;
     };
-    void addShape(Drawn drawn, const Place& place, Particulars particulars);
+    void addShape(Drawn drawn, const Place& place, Particulars particulars,
+                  const std::vector<MarkerVertex>& markers = {});
+    void paintInOrder(Object object, const Place& place, const std::vector<MarkerVertex>& markers);
     Outline outlineOf(const OutlineKind& kind, Node node, const Place& place);
     std::vector<Subpath> placed(Outline outline, const Matrix& matrix);
     void scaleDashes(Node node, const Outline& outline, Properties& properties);

@@ -78,7 +78,7 @@ private slots:
     void placesAndSizes()
     {
         QCOMPARE(boxes(square + marked("marker-end='url(#m)'")), "10,10 20,10; 19,9 21,11");
-        QCOMPARE(boxes(square + marked("marker='url(#m)' stroke-width='2'")),
+        QCOMPARE(boxes(square + marked("style='marker:url(#m)' stroke-width='2'")),
                  "10,10 20,10; 8,8 12,12; 18,8 22,12");
         QCOMPARE(boxes("<marker id='m' markerUnits='userSpaceOnUse' markerWidth='4' "
                        "markerHeight='4' viewBox='0 0 2 2' refX='right' refY='top'>"
@@ -91,7 +91,7 @@ private slots:
                  "10,10 20,10; 19,10 20,12");
         QCOMPARE(boxes("<marker id='m' markerWidth='2' markerHeight='2' "
                        "orient='auto-start-reverse'><path d='M0 0H2V1H0z'/></marker>"
-                       + marked("marker='url(#m)'")),
+                       + marked("style='marker:url(#m)'")),
                  "10,10 20,10; 8,9 10,10; 20,10 22,11");
     }
 
@@ -135,14 +135,60 @@ private slots:
 
     void areToldAndGrouped()
     {
-        QCOMPARE(reportOf(square + marked("marker='url(#m)'")),
+        QCOMPARE(reportOf(square + marked("style='marker:url(#m)'")),
                  "2 arrowheads or other markers became shapes beside their lines");
-        const auto result = readText(drawing(square + marked("id='a' marker='url(#m)'")));
+        const auto result = readText(drawing(square + marked("id='a' style='marker:url(#m)'")));
         QVERIFY(result);
         QVERIFY(textOf(result.value->document).contains("clearcut:group"));
         QCOMPARE(result.value->document.objects()[0].particulars().id, "a");
         QCOMPARE(reportOf(marked("marker-end='url(#gone)'")), "1 arrowhead or other marker");
-        QCOMPARE(reportOf(square + "<circle r='9' marker-end='url(#m)'/>"), "");
+    }
+
+    void onBasicShapes()
+    {
+        const QByteArray marks = " fill='none' stroke='#000' marker-mid='url(#m)'/>";
+        QCOMPARE(boxes(square + "<rect x='10' y='10' width='5' height='5'" + marks),
+                 "10,10 15,15; 14,9 16,11; 14,14 16,16; 9,14 11,16");
+        QCOMPARE(boxes(square + "<circle cx='20' cy='20' r='5'" + marks),
+                 "15,15 25,25; 19,24 21,26; 14,19 16,21; 19,14 21,16");
+    }
+
+    void percentagesReferToTheViewport()
+    {
+        QCOMPARE(boxes("<marker id='m' markerWidth='2%' markerHeight='2%' refX='1%' refY='1%' "
+                       "viewBox='0 0 2 2'><path d='M0 0H2V2H0z'/></marker>"
+                       + marked("marker-end='url(#m)'")),
+                 "10,10 20,10; 19,9 21,11");
+    }
+
+    void inheritedOverflowIsVisible()
+    {
+        QCOMPARE(boxes("<marker id='m' markerWidth='2' markerHeight='2' overflow='inherit'>"
+                       "<path d='M-5 0H2V1H-5z'/></marker>"
+                       + marked("marker-end='url(#m)'")),
+                 "10,10 20,10; 15,10 22,11");
+    }
+
+    void attributeOfAllMarkersIsNone()
+    {
+        QCOMPARE(boxes(square + marked("marker='url(#m)'")), "10,10 20,10");
+    }
+
+    void paintOrder()
+    {
+        const auto painted = [](const QByteArray& order) {
+            return boxes(square
+                         + "<path d='M10 10H20V20' fill='red' stroke='#000' marker-end='url(#m)' "
+                           "paint-order='"
+                         + order + "'/>");
+        };
+        const QString shape = "10,10 20,20", mark = "19,19 21,21";
+        QCOMPARE(painted("normal"), shape + "; " + mark);
+        QCOMPARE(painted("markers"), mark + "; " + shape);
+        QCOMPARE(painted("markers stroke"), mark + "; " + shape + "; " + shape);
+        QCOMPARE(painted("fill markers"), shape + "; " + mark + "; " + shape);
+        QCOMPARE(painted("stroke markers"), shape + "; " + mark + "; " + shape);
+        QCOMPARE(painted("stroke stroke"), shape + "; " + mark); // not understood
     }
 
     void manyEnd()

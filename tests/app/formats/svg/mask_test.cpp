@@ -132,9 +132,10 @@ private slots:
             QTest::newRow(name) << content;
         };
         const QByteArray box = "<rect width='50' height='100' ";
-        row("grey", box + "fill='#888'/>");
-        row("soft", box + "fill='#fff' opacity='.5'/>");
-        row("in a soft group", "<g opacity='.5'>" + box + "fill='#fff'/></g>");
+        row("two greys", box + "fill='#888'/>" + box + "x='50' fill='#999'/>");
+        row("several that are soft",
+            "<g opacity='.5'>" + box + "fill='#fff'/>" + box + "x='20' fill='#fff'/></g>");
+        row("softly black", box + "fill='#fff'/>" + box + "fill='#000' opacity='.5'/>");
         row("gradient", box + "fill='url(#l)'/>");
         row("text", "<text fill='#fff'>x</text>");
         row("image", "<image width='50' height='100'/>");

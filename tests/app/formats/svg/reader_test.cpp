@@ -501,11 +501,12 @@ private slots:
                           "marker-end='url(#e)'><animate/></path>"),
                  "2 texts; 1 image; 1 foreign object; 1 script; 1 mask; 1 filter; 1 arrowhead or "
                  "other marker");
-        QCOMPARE(reportOf("<path d='M0 0h1h1' marker='url(#e)'/>"),
+        QCOMPARE(reportOf("<path d='M0 0h1h1' style='marker:url(#e)'/>"),
                  "3 arrowheads or other markers");
-        QCOMPARE(
-            readText(drawing("<path d='M0 0h1h1' marker='url(#e)'/>")).value->report.at(0).instead,
-            "their lines are kept");
+        QCOMPARE(readText(drawing("<path d='M0 0h1h1' style='marker:url(#e)'/>"))
+                     .value->report.at(0)
+                     .instead,
+                 "their lines are kept");
         QCOMPARE(reportOf("<title/><desc/><metadata/><defs><text/></defs>"), "");
         QCOMPARE(reportOf("<unknown><text/></unknown>"),
                  "1 element “unknown” that SVG does not have was left out");
