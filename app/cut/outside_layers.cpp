@@ -79,6 +79,7 @@ private:
         if (isNew) {
             Container container = outside_.containers()[id];
             container.id = parts_.nextId++;
+            container.underlay = {}; // it stays below what is inside
             if (container.kind == Container::Kind::Layer)
                 container.name = Text::tr("%1, outside").arg(container.name);
             if (insideIds_.contains(container.svgId))

@@ -10,11 +10,18 @@
 namespace app {
 
 // 16 bytes for the reference counts of std::make_shared.
-static std::size_t heapBytesOf(const Container& container)
+// `other`, which may be null, is one whose image file is counted there.
+static std::size_t heapBytesOf(const Container& container, const Container* other)
 {
-    return heapBlock(sizeof container + 16) + heapBytes(container.name) + heapBytes(container.svgId)
-           + heapBytes(container.title) + heapBytes(container.description)
-           + heapBytes(container.newStyle);
+    std::size_t ofImage = 0;
+    if (const SharedUnderlay& own = container.underlay) {
+        ofImage = heapBlock(sizeof(Underlay) + 16) + heapBytes(own->clip) + heapBytes(own->svgId);
+        if (!other || !other->underlay || other->underlay->file != own->file)
+            ofImage += heapBlock(std::size_t(own->file->bytes.size()));
+    }
+    return ofImage + heapBlock(sizeof container + 16) + heapBytes(container.name)
+           + heapBytes(container.svgId) + heapBytes(container.title)
+           + heapBytes(container.description) + heapBytes(container.newStyle);
 }
 
 const Shared<ContainerTable::Block>& ContainerTable::unused()
@@ -28,7 +35,17 @@ ContainerTable::ContainerTable() { add({}, 0); }
 void ContainerTable::setContainer(Container container)
 {
     const ContainerId id = container.id;
+    const auto& before = (*this)[id].container;
+    underlaid_ -= before && before->underlay ? 1 : 0;
+    underlaid_ += container.underlay ? 1 : 0;
     own(id).container = std::make_shared<const Container>(std::move(container));
+}
+
+void ContainerTable::remove(ContainerId id)
+{
+    const auto& before = (*this)[id].container;
+    underlaid_ -= before && before->underlay ? 1 : 0;
+    own(id) = {};
 }
 
 ContainerId ContainerTable::add(Container container, ContainerId parent)
@@ -51,8 +68,10 @@ std::size_t ContainerTable::bytesNotIn(const ContainerTable& other) const
         sum += heapBlock(Shared<Block>::allocated()) + heapBytes(*blocks_[i]);
         for (std::size_t k = 0; k < size; ++k) {
             const auto& mine = (*blocks_[i])[k].container;
-            if (mine && (i >= other.blocks_.size() || (*other.blocks_[i])[k].container != mine))
-                sum += heapBytesOf(*mine);
+            const Container* const theirs =
+                i < other.blocks_.size() ? (*other.blocks_[i])[k].container.get() : nullptr;
+            if (mine && theirs != mine.get())
+                sum += heapBytesOf(*mine, theirs);
         }
     });
     return sum;

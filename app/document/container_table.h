@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/base/shared.h"
+#include "app/document/underlay.h"
 
 #include <QString>
 
@@ -26,6 +27,7 @@ struct Container {
     QString newStyle{};
     bool visible = true;
     bool locked = false;
+    SharedUnderlay underlay{}; ///< of a layer: the image below what is in it
     friend bool operator==(const Container&, const Container&) = default;
 };
 
@@ -65,7 +67,8 @@ public:
     }
     void setContainer(Container container); ///< replaces the container with the same id
     ContainerId add(Container container, ContainerId parent);
-    void remove(ContainerId id) { own(id) = {}; } ///< the id is never reused
+    void remove(ContainerId id);                         ///< the id is never reused
+    std::size_t underlaid() const { return underlaid_; } ///< how many have an underlay
     /// The heap bytes that this table keeps alive and `other`, of the same document, does not.
     std::size_t bytesNotIn(const ContainerTable& other) const;
     void startIdsAt(ContainerId id); ///< `add` returns at least `id` next
@@ -78,6 +81,7 @@ private:
 
     std::vector<Shared<Block>> blocks_;
     ContainerId end_ = 0;
+    std::size_t underlaid_ = 0;
 };
 
 } // namespace app

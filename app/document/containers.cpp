@@ -3,6 +3,7 @@
 
 #include "app/document/containers_builder.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -109,6 +110,18 @@ ObjectRanges Containers::rangesWhere(const Holds& holds) const
         object += mark.objects;
     }
     return ranges;
+}
+
+std::vector<ContainerId> Containers::underlaid() const
+{
+    std::vector<ContainerId> ids;
+    if (!isUnderlaid())
+        return ids;
+    for (ContainerId id = 1; id < nextId(); ++id)
+        if (contains(id) && (*this)[id].underlay)
+            ids.push_back(id);
+    std::ranges::sort(ids, {}, [&](ContainerId id) { return table_[id].opens; });
+    return ids;
 }
 
 bool operator==(const Containers& a, const Containers& b)

@@ -57,6 +57,10 @@ public:
     ObjectRanges hiddenRanges() const;
     ObjectRanges lockedRanges() const;
 
+    /// The layers with an underlay, in painting order. O(1) if there are none.
+    std::vector<ContainerId> underlaid() const;
+    bool isUnderlaid() const { return table_.underlaid() > 0; } ///< whether there is one
+
     /// The tree with `changed` in place of the container with the same id. Its kind must stay the
     /// same.
     Containers with(const Container& changed) const;

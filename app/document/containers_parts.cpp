@@ -63,7 +63,10 @@ std::optional<Containers> Containers::of(const Parts& parts)
                 || !seen.insert(mark.id).second || int(open.size()) > deepest)
                 return std::nullopt;
             if (i > 0) {
-                if (!table.mayHold(open.back(), table[mark.id].container->kind))
+                const Container& container = *table[mark.id].container;
+                if (container.underlay && container.kind != Container::Kind::Layer)
+                    return std::nullopt;
+                if (!table.mayHold(open.back(), container.kind))
                     return std::nullopt;
                 table.own(mark.id).parent = open.back();
             }

@@ -106,6 +106,7 @@ Objects writeChange(ByteWriter& out, const EditCommand& command, const Document&
     const How meant = command.derivation().how;
     const How how = exchanges(splices) && (plain || meant == How::Restyled) ? meant : How::Unknown;
     out.put(how);
+    KnownImages images = back.containers ? imagesOf(*back.containers) : KnownImages();
     writeSplices(out, splices);
     if (how == How::Placed) {
         out.put(command.derivation().where);
@@ -113,11 +114,11 @@ Objects writeChange(ByteWriter& out, const EditCommand& command, const Document&
         out.put(command.derivation().map);
     } else if (how == How::Restyled) {
         writeStyles(out, now, splices);
-        writeSetting(out, settingOf(back, now));
+        writeSetting(out, settingOf(back, now), images);
     } else {
         written = addedObjects(now, splices);
         ObjectBytes().write(out, written);
-        writeSetting(out, settingOf(back, now));
+        writeSetting(out, settingOf(back, now), images);
     }
     return written;
 }
@@ -135,6 +136,7 @@ std::optional<Change> readChange(ByteReader& in, const Document& document)
     if (!in.ok())
         return std::nullopt;
 
+    KnownImages images = imagesOf(document.containers());
     Change change{{}, {how}};
     if (how == How::Placed) {
         const auto where = change.derivation.where = in.get<Placement>();
@@ -149,11 +151,11 @@ std::optional<Change> readChange(ByteReader& in, const Document& document)
         if (!edit)
             return std::nullopt;
         change.edit = std::move(*edit);
-        readSetting(in, change.edit);
+        readSetting(in, change.edit, images);
     } else {
         change.edit.objects = document.objects().slice(0, 0);
         ObjectReader().read(in, change.edit.objects);
-        readSetting(in, change.edit);
+        readSetting(in, change.edit, images);
     }
     change.edit.splices = std::move(splices);
     if (!in.ok() || !in.atEnd() || !fits(change.edit, document))

@@ -195,24 +195,25 @@ ClipWindows readWindows(ByteReader& in)
     return windows;
 }
 
-void writeContainers(ByteWriter& out, const Containers& containers)
+void writeContainers(ByteWriter& out, const Containers& containers, KnownImages& images)
 {
     const Containers::Parts parts = containers.parts();
     out.putList(parts.marks);
     out.put(parts.nextId);
     out.putCount(parts.containers.size());
-    for (const auto& [id, kind, name, svgId, title, description, newStyle, visible, locked] :
-         parts.containers) {
+    for (const auto& [id, kind, name, svgId, title, description, newStyle, visible, locked,
+                      underlay] : parts.containers) {
         out.put(id);
         out.put(std::uint8_t(kind));
         for (const QString* const text : {&name, &svgId, &title, &description, &newStyle})
             out.put(*text);
         out.put(std::uint8_t(visible));
         out.put(std::uint8_t(locked));
+        writeUnderlay(out, underlay, images);
     }
 }
 
-std::optional<Containers> readContainers(ByteReader& in)
+std::optional<Containers> readContainers(ByteReader& in, KnownImages& images)
 {
     Containers::Parts parts;
     parts.marks = in.list<ContainerMark>();
@@ -226,6 +227,7 @@ std::optional<Containers> readContainers(ByteReader& in)
             *text = in.text();
         container.visible = in.flag();
         container.locked = in.flag();
+        container.underlay = readUnderlay(in, images);
     }
     auto containers = in.ok() ? Containers::of(parts) : std::nullopt;
     in.require(containers.has_value());
@@ -241,7 +243,7 @@ void writeDocument(ByteWriter& out, const Document& document, ObjectBytes& objec
     for (const QString* const text : {&id, &comments, &title, &description, &metadata})
         out.put(*text);
     objects.write(out, document.objects());
-    writeContainers(out, document.containers());
+    writeContainers(out, document.containers(), objects.images);
     writeWindows(out, document.windows());
 }
 
@@ -254,7 +256,7 @@ std::optional<Document> readDocument(ByteReader& in, ObjectReader& objects)
          {&about.id, &about.comments, &about.title, &about.description, &about.metadata})
         *text = in.text();
     objects.read(in, objectsOf);
-    auto containers = readContainers(in);
+    auto containers = readContainers(in, objects.images);
     windows = readWindows(in);
     if (!in.ok() || containers->objects() != objectsOf.size())
         return std::nullopt;
@@ -266,11 +268,11 @@ void writeSplices(ByteWriter& out, std::span<const Splice> splices) { out.putLis
 
 std::vector<Splice> readSplices(ByteReader& in) { return in.list<Splice>(); }
 
-void writeSetting(ByteWriter& out, const Edit& edit)
+void writeSetting(ByteWriter& out, const Edit& edit, KnownImages& images)
 {
     out.put(std::uint8_t(edit.containers.has_value()));
     if (edit.containers)
-        writeContainers(out, *edit.containers);
+        writeContainers(out, *edit.containers, images);
     out.put(std::uint8_t(edit.windows.has_value()));
     if (edit.windows)
         writeWindows(out, *edit.windows);
@@ -279,10 +281,10 @@ void writeSetting(ByteWriter& out, const Edit& edit)
         writePage(out, *edit.page);
 }
 
-void readSetting(ByteReader& in, Edit& edit)
+void readSetting(ByteReader& in, Edit& edit, KnownImages& images)
 {
     if (in.flag())
-        edit.containers = readContainers(in);
+        edit.containers = readContainers(in, images);
     if (in.flag())
         edit.windows = readWindows(in);
     if (in.flag())
@@ -295,7 +297,7 @@ void writeEdit(ByteWriter& out, const Edit& edit, ObjectBytes& objects)
     const auto& [splices, added, containers, windows, page, moved, numbers] = edit;
     writeSplices(out, splices);
     objects.write(out, added);
-    writeSetting(out, edit);
+    writeSetting(out, edit, objects.images);
 }
 
 std::optional<Edit> readEdit(ByteReader& in, ObjectReader& objects, const Objects& styles)
@@ -304,7 +306,7 @@ std::optional<Edit> readEdit(ByteReader& in, ObjectReader& objects, const Object
     edit.splices = readSplices(in);
     edit.objects = styles.slice(0, 0);
     objects.read(in, edit.objects);
-    readSetting(in, edit);
+    readSetting(in, edit, objects.images);
     return in.ok() ? std::optional(std::move(edit)) : std::nullopt;
 }
 

@@ -20,8 +20,8 @@ std::optional<Edit> readEdit(ByteReader& in, ObjectReader& objects, const Object
 void writeSplices(ByteWriter& out, std::span<const Splice> splices);
 std::vector<Splice> readSplices(ByteReader& in);
 /// Parts of an edit that are not objects.
-void writeSetting(ByteWriter& out, const Edit& edit);
-void readSetting(ByteReader& in, Edit& edit);
+void writeSetting(ByteWriter& out, const Edit& edit, KnownImages& images);
+void readSetting(ByteReader& in, Edit& edit, KnownImages& images);
 
 /// Whether the edit can be applied to a document of so many objects.
 bool fits(const Edit& edit, const Document& document);

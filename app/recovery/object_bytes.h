@@ -3,6 +3,7 @@
 
 #include "app/document/objects.h"
 #include "app/recovery/bytes.h"
+#include "app/recovery/image_bytes.h"
 
 #include <unordered_map>
 
@@ -14,6 +15,7 @@ class ObjectBytes {
 public:
     void write(ByteWriter& out, const Objects& objects);
     void write(ByteWriter& out, const Object& object);
+    KnownImages images{}; ///< of the layers that are written with the objects
 
 private:
     void writePath(ByteWriter& out, const Path& path);
@@ -28,6 +30,7 @@ public:
     /// Appends the objects to `to`, whose style table they then use.
     void read(ByteReader& in, Objects& to);
     Object object(ByteReader& in);
+    KnownImages images{};
 
 private:
     struct Columns;

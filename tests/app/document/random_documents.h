@@ -4,6 +4,7 @@
 #include "app/document/document_builder.h"
 
 #include "tests/app/document/random_sheets.h"
+#include "tests/app/document/test_image.h"
 
 /// Documents with layers in layers and groups in groups, and edits of them.
 class RandomDocuments : public RandomSheets {
@@ -85,6 +86,8 @@ public:
         app::Container other = container(false);
         other.id = id;
         other.kind = tree[id].kind;
+        if (other.kind == app::Container::Kind::Group)
+            other.underlay = {};
         return tree.with(other);
     }
 
@@ -125,6 +128,9 @@ private:
                             .locked = below(4) == 0};
         if (made.locked)
             made.newStyle = made.name;
+        // Without a draw, so that the rest of each seed stays.
+        if (made.kind == Kind::Layer && made.name.size() % 4 == 1)
+            made.underlay = testUnderlay({double(made.name.size()), 0.1}, made.visible ? 0.3 : 2);
         return made;
     }
 

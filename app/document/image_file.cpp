@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/image_file.h"
+
+#include <QBuffer>
+#include <QImageReader>
+
+#include <array>
+#include <optional>
+
+namespace app {
+namespace {
+
+struct KindOfImage {
+    ImageFile::Kind kind;
+    const char* name; ///< for Qt
+    QByteArrayView magic;
+};
+
+const std::array kindsOfImages{
+    KindOfImage{ImageFile::Kind::Png, "png", "\x89PNG\r\n\x1a\n"},
+    KindOfImage{ImageFile::Kind::Jpeg, "jpeg", "\xff\xd8\xff"},
+};
+
+bool isTooLarge(const QSize& size)
+{
+    return size.width() > ImageFile::mostSide || size.height() > ImageFile::mostSide
+           || std::int64_t(size.width()) * size.height() > ImageFile::mostPixels;
+}
+
+} // namespace
+
+std::variant<std::shared_ptr<const ImageFile>, ImageFault> imageFileOf(QByteArray bytes)
+{
+    for (const KindOfImage& kind : kindsOfImages) {
+        if (!bytes.startsWith(kind.magic))
+            continue;
+        if (bytes.size() > ImageFile::mostBytes)
+            return ImageFault::TooLarge;
+        QBuffer buffer(&bytes);
+        const QSize size = QImageReader(&buffer, kind.name).size();
+        if (size.isEmpty())
+            return ImageFault::Damaged;
+        if (isTooLarge(size))
+            return ImageFault::TooLarge;
+        return std::make_shared<const ImageFile>(
+            ImageFile{std::move(bytes), kind.kind, size.width(), size.height()});
+    }
+    return ImageFault::OtherKind;
+}
+
+} // namespace app
