@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/composed_frame.h"
 
+#include "app/scene/kept_box.h"
 #include "app/view/edge_lines.h"
 #include "app/view/frame_times.h"
 #include "app/view/hairline_drawing.h"
 #include "app/view/missing_part.h"
 #include "app/view/region_mask.h"
+
+#include <algorithm>
 
 namespace app {
 namespace {
@@ -85,6 +88,13 @@ ComposedFrame::Plan ComposedFrame::plan(const FrameWish& wish, const SceneFrame&
     if (!wish.isImage() || options.ghosting || options.leastLength > 0
         || !isMaskable(wish.key.region))
         return plan;
+    // Images are cut at the rectangle around the windows, not at a mask.
+    if (!wish.underlays.empty()
+        && (!plan.differing.empty()
+            || !std::ranges::all_of(wish.underlays, [&](const SeenUnderlay& seen) {
+                   return isCutExactly(*seen.underlay, wish.key.region);
+               })))
+        return plan;
     const bool isRoughAllowed = wish.rough && wish.isLarge();
     const bool isTrue =
         plan.differing.empty()
@@ -107,7 +117,8 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
     DrawingPictures& kept = wish.drawings ? *wish.drawings : own_;
     auto [drawing, missing] = kept.find(key);
     const bool isKnown = missing.empty(), isNew = missing == std::vector{drawing.rect()};
-    const bool hairlines = !isKnown && hasOnlyHairlines(wish.lines, styles, options, ratio);
+    const bool hairlines =
+        !isKnown && wish.underlays.empty() && hasOnlyHairlines(wish.lines, styles, options, ratio);
     uchar* const pixels = isKnown ? nullptr : drawing.bits(); // detaches it before it is shared
     QImage mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, ratio);
     openAlong(mask, linesAlongEdges(styles, wish.lines, frame, options, ratio), ratio);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "app/document/style_table.h"
+#include "app/document/underlay.h"
 
 #include <QPointF>
+#include <QTransform>
 
 #include <cstdint>
 #include <optional>
@@ -29,13 +31,21 @@ struct StrokeStyle {
     friend bool operator==(const StrokeStyle&, const StrokeStyle&) = default;
 };
 
+/// An image below a layer.
+struct DrawnImage {
+    SharedUnderlay underlay;
+    QTransform toScreen; ///< from the drawing to logical pixels
+    double opacity = 1;  ///< in addition to its own
+};
+
 /// A draw command: consecutive polylines that are stroked with one style, or filled together as one
-/// area.
+/// area; or an image.
 struct DrawCommand {
     std::optional<StrokeStyle> stroke;
     Colour fill{};
     FillRule rule = FillRule::NonZero;
     std::uint32_t firstPolyline = 0, polylines = 0;
+    std::optional<std::uint32_t> image{}; ///< in DrawList::images
 };
 
 /// A draw list: draw commands from bottom to top.
@@ -43,6 +53,7 @@ struct DrawList {
     std::vector<DrawCommand> commands;
     std::vector<Polyline> polylines;
     std::vector<QPointF> points;
+    std::vector<DrawnImage> images;
 
     std::span<const Polyline> polylinesOf(const DrawCommand& command) const
     {
@@ -59,6 +70,8 @@ struct DrawList {
         const auto pointsBefore = std::uint32_t(points.size());
         for (DrawCommand command : above.commands) {
             command.firstPolyline += before;
+            if (command.image)
+                *command.image += std::uint32_t(images.size());
             commands.push_back(command);
         }
         for (Polyline polyline : above.polylines) {
@@ -66,6 +79,7 @@ struct DrawList {
             polylines.push_back(polyline);
         }
         points.insert(points.end(), above.points.begin(), above.points.end());
+        images.insert(images.end(), above.images.begin(), above.images.end());
     }
 };
 

@@ -133,6 +133,17 @@ void DrawListBuilder::beginStrokes()
             {strokeStyle_, {}, {}, std::uint32_t(drawList_.polylines.size()), 0});
 }
 
+void DrawListBuilder::add(const SharedUnderlay& image)
+{
+    polylines_.end();
+    const View& view = options_.view;
+    const Point corner = view.toScreen({0, 0});
+    DrawCommand command{.image = std::uint32_t(drawList_.images.size())};
+    command.firstPolyline = std::uint32_t(drawList_.polylines.size());
+    drawList_.commands.push_back(command);
+    drawList_.images.push_back({image, QTransform(view.zoom, 0, 0, view.zoom, corner.x, corner.y)});
+}
+
 void DrawListBuilder::stroke(const clipping::Clipped& piece, const clipping::Segment& line,
                              double before)
 {

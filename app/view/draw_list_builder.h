@@ -32,6 +32,8 @@ public:
     void beginStrokes();
     /// Ends the strokes of the current object.
     void endObject() { polylines_.end(); }
+    /// Adds an image above what was added. Strokes must be begun again.
+    void add(const SharedUnderlay& image);
     /// `before`: the length of the outline before the line, used only for dashed styles.
     void stroke(const clipping::Clipped& piece, const clipping::Segment& line, double before = 0);
     /// Strokes a whole line that must lie inside `seen()`.

@@ -13,11 +13,14 @@ constexpr std::size_t mostPictures = 2; // of a large screen 8 megabytes each
 DrawingKey drawingKeyOf(const FrameWish& wish)
 {
     const FrameKey& key = wish.key;
-    return {
-        {.lines = key.lines, .view = key.view, .pixels = key.pixels, .pixelRatio = key.pixelRatio},
-        wish.options.page,
-        wish.options.leastWidth,
-        wish.options.strokes};
+    return {{.lines = key.lines,
+             .images = key.images,
+             .view = key.view,
+             .pixels = key.pixels,
+             .pixelRatio = key.pixelRatio},
+            wish.options.page,
+            wish.options.leastWidth,
+            wish.options.strokes};
 }
 
 DrawingPictures::Found DrawingPictures::find(const DrawingKey& key) const

@@ -56,7 +56,7 @@ static PaintedFrame framePainted(const FrameWish& wish, const SceneFrame& frame,
     options.stop = follower.stop;
     const RasterOptions raster = wish.rasterOptions(follower.stop);
     PaintedFrame made;
-    if (wish.isImage() && options.leastLength == 0 && !options.ghosting
+    if (wish.isImage() && options.leastLength == 0 && !options.ghosting && wish.underlays.empty()
         && hasOnlyHairlines(wish.lines, wish.document.styles(), options, wish.key.pixelRatio)) {
         const PaintBand paint = hairlinesPainted(wish, frame, options, raster);
         const int bands = wish.isLarge() ? fewEarly : 1;

@@ -12,8 +12,8 @@ bool isSameClipping(const FrameKey& a, const FrameKey& b)
 
 bool isSameBase(const FrameKey& a, const FrameKey& b)
 {
-    return a.lines == b.lines && a.view.size == b.view.size && a.pixels == b.pixels
-           && a.pixelRatio == b.pixelRatio;
+    return a.lines == b.lines && a.images == b.images && a.view.size == b.view.size
+           && a.pixels == b.pixels && a.pixelRatio == b.pixelRatio;
 }
 
 bool isSameView(const FrameKey& a, const FrameKey& b)
@@ -41,6 +41,7 @@ PictureOptions FrameWish::pictureOptions() const
     all.region = &key.region;
     all.borders = key.borders;
     all.selection = selection.ranges();
+    all.underlays = underlays;
     if (differing)
         all.differing = *differing;
     for (const auto& [pieces, colour] : graded)

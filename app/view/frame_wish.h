@@ -19,8 +19,9 @@ namespace app {
 
 /// Frames with equal keys have the same picture.
 struct FrameKey {
-    std::uint64_t lines = 0; ///< SceneLines::revision()
-    std::uint64_t look = 0;  ///< counts changes of everything that is not a member here
+    std::uint64_t lines = 0;  ///< SceneLines::revision()
+    std::uint64_t images = 0; ///< counts changes of FrameWish::underlays
+    std::uint64_t look = 0;   ///< counts changes of everything that is not a member here
     View view{};
     ClipRegion region{};
     Variant variant{};     ///< that clips; not a known misprint
@@ -52,6 +53,7 @@ struct FrameWish {
     Document document; ///< with the styles of the lines
     SceneLines lines;
     PictureOptions options{}; ///< without what key, selection and pieces hold
+    std::vector<SeenUnderlay> underlays{};
     ObjectRanges selection{};
     SharedPieces differing{}; ///< may be null
     struct Graded {
@@ -62,14 +64,14 @@ struct FrameWish {
     double ghost = 1;   ///< opacity of the removed part
     bool rough = false; ///< for a moment a frame will do that is painted sooner, if only roughly
     std::shared_ptr<DrawingPictures> drawings{}; ///< that panes share; null: none
-    /// Makes what is wanted of a drawing that is not large instead of an image, on the thread that
-    /// paints; null: an image is wanted. Of a large one this would take as long for every cut, and
-    /// what is made as long to be shown.
+    /// Makes what is wanted of a drawing that is not large and has no images, instead of an image,
+    /// on the thread that paints; null: an image is wanted. Of a large one this would take as long
+    /// for every cut, and what is made as long to be shown.
     std::function<std::shared_ptr<const void>(const Picture&)> make{};
 
     static constexpr std::size_t large = 25'000; ///< lines
     bool isLarge() const { return lines.size() > large; }
-    bool isMade() const { return make && !isLarge(); }
+    bool isMade() const { return make && !isLarge() && underlays.empty(); }
     bool isImage() const { return !isMade() && !key.pixels.isEmpty(); }
 
     /// The options with everything, as long as the wish lives.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/picture.h"
 
+#include "app/scene/kept_box.h"
 #include "app/view/difference_marks.h"
 #include "app/view/long_pieces.h"
 #include "app/view/scene_draw_list_builder.h"
@@ -8,6 +9,7 @@
 #include "app/view/window_borders.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 namespace {
@@ -15,30 +17,105 @@ namespace {
 // Around a selected stroke, in pixels: as wide as both sides of the band, and of its outline.
 constexpr double band = 4, outlined = 6;
 
+/// The images of layers, in the painting order of a scene's lines.
+class ImagesAmongLines {
+public:
+    ImagesAmongLines(const SceneLines& lines, Painted part, const PictureOptions& options)
+        : lines_(lines), part_(part), options_(options)
+    {
+    }
+
+    /// The first line, up to `end`, that lies above the next image; `end` if no image does.
+    std::size_t next(std::size_t end) const
+    {
+        const bool any = at_ < options_.underlays.size();
+        return any ? std::min(end, lines_.firstLineOf(options_.underlays[at_].below)) : end;
+    }
+    /// Adds the images that have only the lines before this one below them.
+    void addBelow(std::size_t line, SceneDrawListBuilder& builder)
+    {
+        for (; at_ < options_.underlays.size()
+               && lines_.firstLineOf(options_.underlays[at_].below) <= line;
+             ++at_)
+            if (const SharedUnderlay shown = shownOf(options_.underlays[at_].underlay))
+                builder.add(shown);
+    }
+
+private:
+    // The removed part lies below the kept one.
+    SharedUnderlay shownOf(const SharedUnderlay& image) const
+    {
+        return part_ == Painted::Kept && options_.region ? keptOf(image, *options_.region) : image;
+    }
+
+    const SceneLines& lines_;
+    Painted part_;
+    const PictureOptions& options_;
+    std::size_t at_ = 0;
+};
+
+/// Adds the lines of a scene to a draw list, with the images among them.
+class DrawListMaker {
+public:
+    DrawListMaker(const StyleTable& styles, const SceneLines& lines, PaintedPart part,
+                  const PictureOptions& options)
+        : styles_(styles), lines_(lines), part_(std::move(part)), options_(options),
+          images_(lines, part_.which(), options),
+          builder_(lines, part_, options, part_.expectedPieces())
+    {
+    }
+
+    DrawList made()
+    {
+        for (std::size_t at = 0; at < lines_.blocks().size(); ++at) {
+            const SceneBlock& block = *lines_.blocks()[at];
+            const std::size_t before = lines_.runs()[at].firstLine;
+            for (std::size_t i = 0; i < block.chunks.size() && !options_.stop.stop_requested();
+                 ++i) {
+                const std::size_t end = block.endOfChunk(i);
+                for (std::size_t first = block.chunks[i].first; first < end;) {
+                    images_.addBelow(before + first, builder_);
+                    const std::size_t last = images_.next(before + end) - before;
+                    add(at, i, first, last);
+                    first = last;
+                }
+            }
+        }
+        images_.addBelow(lines_.size(), builder_);
+        return builder_.take();
+    }
+
+private:
+    // The lines [first, end) of a chunk, which no image divides.
+    void add(std::size_t at, std::size_t i, std::size_t first, std::size_t end)
+    {
+        const StyleIndex index = lines_.blocks()[at]->chunks[i].style;
+        const Remains remains = part_.remains(at, i);
+        if (remains == Remains::Gone && !(options_.region && styles_[index].fill))
+            return;
+        if (style_ != index)
+            builder_.setStyle(styles_[*(style_ = index)]);
+        if (remains == Remains::Whole)
+            return builder_.addWhole(at, i, first, end);
+        const auto pieces = remains == Remains::Gone ? PaintedPart::Pieces() : part_.pieces(at, i);
+        const auto from = std::ranges::lower_bound(pieces, first, {}, &clipping::Clipped::source);
+        const auto to = std::ranges::lower_bound(pieces, end, {}, &clipping::Clipped::source);
+        builder_.addPieces(at, i, first, end, {from, to});
+    }
+
+    const StyleTable& styles_;
+    const SceneLines& lines_;
+    PaintedPart part_;
+    const PictureOptions& options_;
+    ImagesAmongLines images_;
+    SceneDrawListBuilder builder_;
+    std::optional<StyleIndex> style_;
+};
+
 DrawList drawList(const StyleTable& styles, const SceneLines& lines, PaintedPart part,
                   const PictureOptions& options)
 {
-    SceneDrawListBuilder builder(lines, part, options, part.expectedPieces());
-    std::optional<StyleIndex> style;
-    for (std::size_t at = 0; at < lines.blocks().size(); ++at) {
-        const SceneBlock& block = *lines.blocks()[at];
-        for (std::size_t i = 0; i < block.chunks.size() && !options.stop.stop_requested(); ++i) {
-            const SceneChunk& chunk = block.chunks[i];
-            const Remains remains = part.remains(at, i);
-            if (remains == Remains::Gone && !(options.region && styles[chunk.style].fill))
-                continue;
-            if (style != chunk.style)
-                builder.setStyle(styles[*(style = chunk.style)]);
-            const std::size_t end = block.endOfChunk(i);
-            if (remains == Remains::Whole)
-                builder.addWhole(at, i, chunk.first, end);
-            else
-                builder.addPieces(at, i, chunk.first, end,
-                                  remains == Remains::Gone ? PaintedPart::Pieces()
-                                                           : part.pieces(at, i));
-        }
-    }
-    return builder.take();
+    return DrawListMaker(styles, lines, std::move(part), options).made();
 }
 
 std::size_t objectsIn(std::span<const ObjectRange> ranges)
@@ -121,7 +198,9 @@ DrawList selected(const StyleTable& styles, const SceneLines& lines, const Pictu
 void makeGhosts(DrawList& drawList, const Ghosting& ghosting)
 {
     for (DrawCommand& command : drawList.commands)
-        if (command.stroke)
+        if (command.image)
+            drawList.images[*command.image].opacity = ghosting.opacity;
+        else if (command.stroke)
             command.stroke->colour =
                 ghostColour(command.stroke->colour, ghosting.page, ghosting.opacity);
         else

@@ -3,6 +3,7 @@
 
 #include "app/document/object_ranges.h"
 #include "app/document/style_table.h"
+#include "app/document/underlay.h"
 #include "app/scene/region.h"
 #include "app/view/view.h"
 
@@ -50,6 +51,7 @@ struct PictureOptions {
     /// For projectors: ghosts are drawn in opaque colours visible on this page (see ghostColour in
     /// visible_colour.h), instead of as a layer with the ghost's opacity.
     std::optional<Ghosting> ghosting{};
+    std::span<const SeenUnderlay> underlays{}; ///< the images below layers, from bottom to top
     /// Selected objects lie on a band of the colour `paper` with an outline in `light`.
     std::span<const ObjectRange> selection{};
     Colour light{}, paper{255, 255, 255};

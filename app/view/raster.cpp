@@ -4,6 +4,7 @@
 #include "app/view/caps.h"
 #include "app/view/coverage.h"
 #include "app/view/hairlines.h"
+#include "app/view/image_pixels.h"
 #include "app/view/long_stroke.h"
 
 #include <QPainter>
@@ -41,11 +42,22 @@ public:
         for (const DrawCommand& command : drawList.commands) {
             if (cancelled_())
                 return;
-            command.stroke ? stroke(drawList, command) : fill(drawList, command);
+            if (command.image)
+                image(drawList.images[*command.image]);
+            else
+                command.stroke ? stroke(drawList, command) : fill(drawList, command);
         }
     }
 
 private:
+    void image(const DrawnImage& image)
+    {
+        painter_.save();
+        painter_.setTransform(image.toScreen, true);
+        paintUnderlay(painter_, *image.underlay, image.opacity);
+        painter_.restore();
+    }
+
     void fill(const DrawList& drawList, const DrawCommand& command)
     {
         if (const auto pixels = pixelsToSum(drawList, drawList.polylinesOf(command), 0))

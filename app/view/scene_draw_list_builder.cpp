@@ -22,6 +22,12 @@ void SceneDrawListBuilder::setStyle(const Style& style)
     begun_ = false;
 }
 
+void SceneDrawListBuilder::add(const SharedUnderlay& image)
+{
+    builder_.add(image);
+    begun_ = false;
+}
+
 void SceneDrawListBuilder::addWhole(std::size_t block, std::size_t chunk, std::size_t first,
                                     std::size_t end)
 {

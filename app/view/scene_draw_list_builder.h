@@ -25,6 +25,9 @@ public:
     void addPieces(std::size_t block, std::size_t chunk, std::size_t first, std::size_t end,
                    std::span<const clipping::Clipped> pieces);
 
+    /// Adds an image, between two objects.
+    void add(const SharedUnderlay& image);
+
     DrawList take() { return builder_.take(); }
 
 private:

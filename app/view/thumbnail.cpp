@@ -51,6 +51,8 @@ QImage thumbnail(const Document& document, const QSize& points, double pixelRati
     options.view = view;
     options.region = &region;
     options.leastWidth = 0.5;
+    const std::vector<SeenUnderlay> underlays = seenUnderlays(document);
+    options.underlays = underlays;
     const QSize pixels = points * pixelRatio;
     const QImage art =
         rasterised(picture(document.styles(), lines, frame, options), {0, pixels.height()},

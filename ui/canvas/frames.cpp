@@ -72,10 +72,24 @@ app::PictureOptions Frames::pictureOptions(double pixelRatio) const
     return options;
 }
 
+const Frames::Images& Frames::images() const
+{
+    if (const app::Document& now = session().now(); !sameAddress(now, images_.of)) {
+        images_.of = now;
+        auto seen = seenUnderlays(now);
+        if (seen != images_.seen) {
+            images_.seen = std::move(seen);
+            ++images_.revision;
+        }
+    }
+    return images_;
+}
+
 app::FrameWish Frames::wish(const Pane& pane, double pixelRatio, const QSize& pixels) const
 {
     const app::SceneLines& lines = session().scene.lines();
     app::FrameWish wish{.key = {.lines = lines.revision(),
+                                .images = images().revision,
                                 .look = revision_ + pane.revision,
                                 .view = bench_.view,
                                 .region = pane.region.value_or(session().region()),
@@ -86,6 +100,7 @@ app::FrameWish Frames::wish(const Pane& pane, double pixelRatio, const QSize& pi
                         .document = session().now(),
                         .lines = lines,
                         .options = pictureOptions(pixelRatio),
+                        .underlays = images().seen,
                         .ghost = ghostOpacity(),
                         .drawings = drawings_};
     if (app::outlines(lines, session().selection().ranges())

@@ -57,6 +57,13 @@ private:
     mutable TextBoxes textBoxes_; ///< computed on demand
     std::shared_ptr<app::DrawingPictures> drawings_ = std::make_shared<app::DrawingPictures>();
     std::uint64_t revision_ = 1;
+    struct Images { ///< of a document
+        app::Document of;
+        std::vector<app::SeenUnderlay> seen{};
+        std::uint64_t revision = 0;
+    };
+    const Images& images() const;
+    mutable Images images_;                                         ///< computed on demand
     double unitSize_ = 0;                                           ///< millimetres per user unit
     std::optional<std::chrono::steady_clock::time_point> turnEnds_; ///< for waiting
 };
