@@ -110,6 +110,8 @@ QStringList lossesOf(const Document& document, const ObjectRanges& objects, cons
         LossOfKind{format.takes.dxf ? kinds.transparent : 0,
                    Text::tr("1 transparent colour becomes opaque"),
                    Text::tr("%1 transparent colours become opaque")},
+        LossOfKind{format.holds == Holds::Paths ? 0 : seenUnderlays(document).size(),
+                   Text::tr("1 image is left out"), Text::tr("%1 images are left out")},
         LossOfKind{keepsTexts ? 0 : kinds.texts, Text::tr("1 text becomes outlines"),
                    Text::tr("%1 texts become outlines")},
     };

@@ -4,6 +4,7 @@
 #include "app/formats/painted.h"
 #include "app/formats/seen_part.h"
 #include "app/view/hairline_run.h"
+#include "app/view/image_pixels.h"
 #include "app/view/outline.h"
 #include "app/view/summed_object.h"
 
@@ -113,13 +114,18 @@ void paintOn(QImage& image, const Document& document, double pixelsPerUnit,
     QPainter painter(&image);
     place(painter, document, pixelsPerUnit);
     HairlineRun hairlines(image);
-    visitSeen(document, [&](const Object& object) {
+    const auto paintObject = [&](const Object& object) {
         if (stop.stop_requested())
             return;
         if (const auto line = hairlineOf(object, painter.transform(), pixelsPerUnit))
             return hairlines.add(*line, *object.style.stroke);
         hairlines.flush();
         paint(painter, object, pixelsPerUnit, On::Image);
+    };
+    visitSeen(document, paintObject, [&](const Underlay& underlay) {
+        hairlines.flush();
+        if (!stop.stop_requested())
+            paintUnderlay(painter, underlay);
     });
     hairlines.flush();
 }
@@ -129,10 +135,16 @@ void paintOn(QPainter& painter, const Document& document, double pixelsPerUnit,
 {
     painter.save();
     place(painter, document, pixelsPerUnit);
-    visitSeen(document, [&](const Object& object) {
-        if (!stop.stop_requested())
-            paint(painter, object, pixelsPerUnit, On::Paper);
-    });
+    visitSeen(
+        document,
+        [&](const Object& object) {
+            if (!stop.stop_requested())
+                paint(painter, object, pixelsPerUnit, On::Paper);
+        },
+        [&](const Underlay& underlay) {
+            if (!stop.stop_requested())
+                paintUnderlay(painter, underlay);
+        });
     painter.restore();
 }
 

@@ -77,12 +77,20 @@ void visitReduced(const Object& object, const clipping::Window& window, double t
 
 } // namespace
 
-void visitSeen(const Document& document, const std::function<void(const Object&)>& visit)
+void visitSeen(const Document& document, const std::function<void(const Object&)>& visit,
+               const std::function<void(const Underlay&)>& visitImage)
 {
+    const std::vector<SeenUnderlay> images = seenUnderlays(document);
+    auto nextImage = images.begin();
+    const auto visitImagesBelow = [&](std::size_t object) {
+        for (; nextImage != images.end() && nextImage->below <= object; ++nextImage)
+            visitImage(*nextImage->underlay);
+    };
     const double tolerance = usualTolerance(document.page());
     const ObjectRanges hidden = document.containers().hiddenRanges();
     const Objects& objects = document.objects();
     objects.forEach(0, objects.size(), [&](std::size_t i, const ObjectView& view) {
+        visitImagesBelow(i);
         if (view.hidden() || hidden.contains(i))
             return;
         Object object{view.path(), view.style()};
@@ -94,6 +102,7 @@ void visitSeen(const Document& document, const std::function<void(const Object&)
         else
             visitReduced(object, window, tolerance, visit);
     });
+    visitImagesBelow(objects.size());
 }
 
 } // namespace app

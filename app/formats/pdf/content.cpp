@@ -32,6 +32,8 @@ Object squareAt(const Point& p, const Style& style)
 
 std::string stateName(int alpha) { return "/A" + std::to_string(alpha); }
 
+std::string imageName(std::size_t number) { return "/I" + std::to_string(number); }
+
 // The dash operator with dashes and phase. PDF requires a positive phase. An odd pattern is
 // doubled, because poppler draws it wrongly. A pattern of total length 0 is a solid line.
 std::string dashOperator(const Style& style)
@@ -105,6 +107,22 @@ void Content::paint(const Object& object)
     }
 }
 
+void Content::paint(const Underlay& underlay, std::size_t number)
+{
+    const auto& [file, place, clip, opacity, svgId] = underlay;
+    setAlpha(std::uint8_t(std::lround(std::clamp(opacity, 0.0, 1.0) * 255)));
+    text_ += "q\n";
+    for (std::size_t i = 0; i < clip.size(); ++i)
+        text_ += operand(clip[i].x) + ' ' + operand(clip[i].y) + (i == 0 ? " m\n" : " l\n");
+    text_ += clip.empty() ? "" : "h W n\n";
+    const Point across = place.x * double(file->width), down = place.y * double(file->height);
+    const Point corner = place.to + down; // an image in PDF has its origin at the lower left
+    for (const double entry : {across.x, across.y, -down.x, -down.y, corner.x, corner.y})
+        text_ += operand(entry) + ' ';
+    text_ += "cm\n" + imageName(number) + " Do\nQ\n";
+    images_.insert(number);
+}
+
 void Content::outline(std::span<const Subpath> subpaths)
 {
     const auto point = [&](const Point& p, const char* operation) {
@@ -147,7 +165,11 @@ std::string Content::resources() const
         states.append(stateName(alpha)).append("<</CA ").append(value);
         states.append("/ca ").append(value).append(">>");
     }
-    return states.empty() ? states : "/ExtGState<<" + states + ">>";
+    std::string images;
+    for (const std::size_t number : images_)
+        images.append(imageName(number)).append(" ").append(std::to_string(number)).append(" 0 R");
+    return (states.empty() ? states : "/ExtGState<<" + states + ">>")
+           + (images.empty() ? images : "/XObject<<" + images + ">>");
 }
 
 } // namespace app::pdf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/underlay.h"
 #include "app/formats/format.h"
 
 #include <set>
@@ -18,6 +19,8 @@ public:
     void place(double scale, const Point& origin);
 
     void paint(const Object& object);
+    /// `number`: that of the image among the file's objects.
+    void paint(const Underlay& underlay, std::size_t number);
 
     QByteArray bytes() const { return QByteArray::fromStdString(text_); }
     std::string resources() const; ///< the page's resource dictionary, for the names in the stream
@@ -31,6 +34,7 @@ private:
     std::string text_;
     std::string alpha_, fill_, stroke_, pen_; ///< the current states
     std::set<int> alphas_;
+    std::set<std::size_t> images_;
 };
 
 } // namespace app::pdf

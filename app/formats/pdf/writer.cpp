@@ -6,6 +6,7 @@
 #include "app/base/write_all.h"
 #include "app/formats/painted.h"
 #include "app/formats/pdf/content.h"
+#include "app/formats/pdf/images.h"
 #include "app/formats/rounded.h"
 #include "app/formats/seen_part.h"
 
@@ -38,9 +39,13 @@ public:
     void addStream(const QByteArray& bytes)
     {
         constexpr int sizeOfQtHeader = 4; // the rest is a zlib stream, as PDF requires
-        const QByteArray packed = qCompress(bytes).sliced(sizeOfQtHeader);
-        add("<</Filter/FlateDecode/Length " + std::to_string(packed.size()) + ">>\nstream\n"
-            + packed.toStdString() + "\nendstream");
+        add(Stream{"/Filter/FlateDecode", qCompress(bytes).sliced(sizeOfQtHeader)});
+    }
+
+    void add(const Stream& stream)
+    {
+        add("<<" + stream.entries + "/Length " + std::to_string(stream.bytes.size())
+            + ">>\nstream\n" + stream.bytes.toStdString() + "\nendstream");
     }
 
     void finish(const std::string& trailer)
@@ -110,7 +115,7 @@ Object pageOf(const Paper& paper, const Colour& colour)
 
 // Adds a page as the object `number`, and its content as the next one.
 void addPage(ObjectWriter& objects, std::size_t number, const Document& document,
-             const WriteOptions& options)
+             const WriteOptions& options, Images& images)
 {
     const Paper paper = paperOf(document.page());
     const Point points = paper.millimetres * pointsPerMillimetre;
@@ -122,9 +127,25 @@ void addPage(ObjectWriter& objects, std::size_t number, const Document& document
     content.place(scale, {-paper.corner.x * scale, size.y + paper.corner.y * scale});
     if (const auto colour = options.backgroundOf(document.page()); colour && colour->alpha > 0)
         content.paint(pageOf(paper, *colour));
-    visitSeen(document, [&](const Object& object) { content.paint(object); });
+    visitSeen(
+        document, [&](const Object& object) { content.paint(object); },
+        [&](const Underlay& underlay) { content.paint(underlay, images.numberOf(underlay.file)); });
     objects.add(pageObject(size, userUnit, number + 1, content.resources()));
     objects.addStream(content.bytes());
+}
+
+// Two objects for each image.
+void addImages(ObjectWriter& objects, const Images& images)
+{
+    Images numbered = images;
+    for (const auto& file : images.files()) {
+        const auto streams = streamsOf(file, numbered.numberOf(file) + 1);
+        objects.add(streams.front());
+        if (streams.size() > 1)
+            objects.add(streams[1]);
+        else
+            objects.add("null");
+    }
 }
 
 } // namespace
@@ -137,16 +158,19 @@ std::optional<QString> writePages(std::size_t count, const PageMaker& page, QIOD
     for (std::size_t i = 0; i < count; ++i)
         kids += reference(first + objectsOfPage * i) + ' ';
     ObjectWriter objects(out);
+    const std::size_t info = first + objectsOfPage * count;
+    Images images(info + 1);
     objects.add("<</Type/Catalog/Pages 2 0 R>>");
     objects.add("<</Type/Pages/Kids[" + kids + "]/Count " + std::to_string(count) + ">>");
     for (std::size_t i = 0; i < count && !objects.failed(); ++i) {
         const Document document = rounded(page(i), options).document;
         if (auto fault = faultOfPage(document.page()))
             return fault;
-        addPage(objects, first + objectsOfPage * i, document, options);
+        addPage(objects, first + objectsOfPage * i, document, options, images);
     }
     objects.add("<</Producer(Clearcut " CLEARCUT_VERSION ")>>");
-    objects.finish("/Root 1 0 R/Info " + reference(first + objectsOfPage * count));
+    addImages(objects, images);
+    objects.finish("/Root 1 0 R/Info " + reference(info));
     return objects.failed() ? std::optional(out.errorString() + u'.') : std::nullopt;
 }
 

@@ -5,6 +5,8 @@
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 
+#include <utility>
+
 namespace app::svg {
 
 void ContainerStack::open(Container container)
@@ -13,6 +15,8 @@ void ContainerStack::open(Container container)
     if (open.inGroup)
         container.kind = Container::Kind::Group;
     open.dissolved = dissolves(container);
+    if (open.inGroup || open.dissolved)
+        lostImages_ += std::exchange(container.underlay, {}) ? 1 : 0;
     if (open.dissolved) {
         open.hidden = open.hidden || !container.visible;
     } else if (container.kind == Container::Kind::Layer) {
@@ -87,6 +91,7 @@ Document ContainerStack::take(const Page& page, About about, Report& report)
     closeDrawing();
     report.add(losses::layers, mergesLayers_ ? 1 : 0);
     report.add(losses::containers, dissolved_);
+    report.add(losses::image, lostImages_);
     return builder_.take(page, std::move(about));
 }
 

@@ -40,6 +40,7 @@ private:
     std::size_t layers_ = 0, groups_ = 0;
     int drawings_ = 0; ///< number of layers for objects outside all layers
     int dissolved_ = 0;
+    int lostImages_ = 0;         ///< in groups, or beyond the limit of layers
     bool drawingIsOpen_ = false; ///< whether the layer for objects outside all layers is open
     bool mergesLayers_ = false;  ///< whether there are too many layers
 };

@@ -101,6 +101,9 @@ void TreeDrawer::addBounds(Node node, const Place& place, ElementBounds& bounds)
         addBoundsOfUse(node, place, bounds);
     } else if (name == "text" && !outlineFonts().isEmpty()) {
         addBoundsOfText(node, place, bounds);
+    } else if (const auto box = name == "image" ? imageBox(node, place) : std::nullopt) {
+        for (const Subpath& path : rectangleShape(*box, place.matrix).path.subpaths())
+            include(bounds, path);
     } else if (isDrawn(name)) {
         bounds.isKnown = false;
     }

@@ -52,6 +52,31 @@ inline constexpr LossKind pathlessText{
     QT_TRANSLATE_NOOP("Text", "texts on paths that are not in the file were left out"), true};
 inline constexpr LossKind image{QT_TRANSLATE_NOOP("Text", "image"),
                                 QT_TRANSLATE_NOOP("Text", "images")};
+inline constexpr LossKind imageElsewhere{
+    QT_TRANSLATE_NOOP("Text", "image that is neither in the file nor in its folder or below"),
+    QT_TRANSLATE_NOOP("Text", "images that are neither in the file nor in its folder or below")};
+inline constexpr LossKind imageMissing{
+    QT_TRANSLATE_NOOP("Text", "image whose own file is missing or cannot be read"),
+    QT_TRANSLATE_NOOP("Text", "images whose own files are missing or cannot be read")};
+inline constexpr LossKind imageKind{
+    QT_TRANSLATE_NOOP("Text", "image that is neither PNG nor JPEG"),
+    QT_TRANSLATE_NOOP("Text", "images that are neither PNG nor JPEG")};
+inline constexpr LossKind imageDamaged{QT_TRANSLATE_NOOP("Text", "damaged image"),
+                                       QT_TRANSLATE_NOOP("Text", "damaged images")};
+inline constexpr LossKind imageTooLarge{
+    QT_TRANSLATE_NOOP("Text", "image that is too large"),
+    QT_TRANSLATE_NOOP("Text", "images that are too large"), false,
+    QT_TRANSLATE_NOOP("Text", "at most 100 million pixels and 64 MB are possible, and in all "
+                              "images of a file 400 million pixels and 256 MB"),
+    QT_TRANSLATE_NOOP("Text", "at most 100 million pixels and 64 MB are possible, and in all "
+                              "images of a file 400 million pixels and 256 MB")};
+inline constexpr LossKind imageBeyond{QT_TRANSLATE_NOOP("Text", "image beyond the first 500"),
+                                      QT_TRANSLATE_NOOP("Text", "images beyond the first 500")};
+inline constexpr LossKind imageUncut{
+    QT_TRANSLATE_NOOP("Text", "clip path of an image that is not one convex polygon"),
+    QT_TRANSLATE_NOOP("Text", "clip paths of images that are not one convex polygon"), false,
+    QT_TRANSLATE_NOOP("Text", "the image is not cut"),
+    QT_TRANSLATE_NOOP("Text", "the images are not cut")};
 inline constexpr LossKind foreignObject{QT_TRANSLATE_NOOP("Text", "foreign object"),
                                         QT_TRANSLATE_NOOP("Text", "foreign objects")};
 inline constexpr LossKind animation{QT_TRANSLATE_NOOP("Text", "animation"),

@@ -16,6 +16,8 @@
 #include "app/formats/whole_pipe.h"
 
 #include <QBuffer>
+#include <QFileDevice>
+#include <QFileInfo>
 
 #include <glm/common.hpp>
 
@@ -33,9 +35,9 @@ std::optional<clipping::Window> drawnOf(const RootPage& root, const Document& do
 }
 
 void draw(const Tree& tree, const RootPage& root, Styles& styles, Report& report,
-          Imported& imported)
+          const QString& folder, Imported& imported)
 {
-    TreeDrawer drawer(tree, styles, report, root.page);
+    TreeDrawer drawer(tree, styles, report, root.page, folder);
     try {
         imported.document = drawer.drawAll(root.matrix, root.viewport);
         imported.clipPaths = drawer.takeClipPaths();
@@ -52,13 +54,13 @@ void refuseUnusable(const Page& page)
         throw Refused{*fault, Refused::wholeFile};
 }
 
-Imported import(const Tree& tree, Report& report)
+Imported import(const Tree& tree, Report& report, const QString& folder)
 {
     Imported imported;
     Styles styles(tree, report);
     const RootPage root = readPage(tree, styles, report);
     refuseUnusable(root.page);
-    draw(tree, root, styles, report, imported);
+    draw(tree, root, styles, report, folder, imported);
     Document& document = imported.document;
     Page page = closed(root, document.objects());
     refuseUnusable(page);
@@ -108,6 +110,15 @@ Tree readZippedTree(QIODevice& in, Report& report)
     return Tree::read(buffer, report);
 }
 
+/// The folder of a file; empty for anything else.
+QString folderOf(QIODevice& in)
+{
+    const auto* const file = qobject_cast<QFileDevice*>(&in);
+    return file && !file->fileName().isEmpty() && !file->isSequential()
+               ? QFileInfo(file->fileName()).absolutePath()
+               : QString();
+}
+
 } // namespace
 
 Result<Imported> read(QIODevice& in)
@@ -115,7 +126,7 @@ Result<Imported> read(QIODevice& in)
     try {
         Report report;
         const Tree tree = isZipped(in) ? readZippedTree(in, report) : readTree(in, report);
-        return Result<Imported>::of(import(tree, report));
+        return Result<Imported>::of(import(tree, report, folderOf(in)));
     } catch (const Refused& refused) {
         return Result<Imported>::failure(
             refused.line > 0 ? Text::tr("line %1 %2").arg(refused.line).arg(refused.why)

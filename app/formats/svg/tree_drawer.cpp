@@ -25,7 +25,6 @@ struct Foreign {
 };
 constexpr std::array foreigners{
     Foreign{"flowRoot", &losses::text},
-    Foreign{"image", &losses::image},
     Foreign{"foreignObject", &losses::foreignObject},
     Foreign{"html:video", &losses::foreignObject},
     Foreign{"html:iframe", &losses::foreignObject},
@@ -89,7 +88,7 @@ const TreeDrawer::Row* TreeDrawer::find(std::string_view element)
         Row{"line", &TreeDrawer::drawOutline},    Row{"polyline", &TreeDrawer::drawOutline},
         Row{"polygon", &TreeDrawer::drawOutline}, Row{"rect", &TreeDrawer::drawOutline},
         Row{"circle", &TreeDrawer::drawOutline},  Row{"ellipse", &TreeDrawer::drawOutline},
-        Row{"text", &TreeDrawer::drawText},
+        Row{"text", &TreeDrawer::drawText},       Row{"image", &TreeDrawer::drawImage},
     };
     const auto found = std::ranges::find(all, element, &Row::element);
     return found == all.end() ? nullptr : &*found;
@@ -97,18 +96,20 @@ const TreeDrawer::Row* TreeDrawer::find(std::string_view element)
 
 bool TreeDrawer::isDrawn(std::string_view element) { return find(element) || findForeign(element); }
 
-TreeDrawer::TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page)
+TreeDrawer::TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page,
+                       const QString& folder)
     : tree_(tree), report_(report), styles_(styles),
       paints_(tree, styles, report,
               [this](Node pattern, const Box& box, const Lengths& lengths) {
                   return patternColour(pattern, box, lengths);
               }),
       page_(page), content_(page, usualTolerance(page), tree.textSize(), report),
-      idIsTaken_(tree.size())
+      imageSource_(folder), idIsTaken_(tree.size())
 {
     for (std::uint32_t name = 0; name < tree.nameCount(); ++name)
         hasConditions_ = hasConditions_ || tree.nameOf(name) == extensionAttribute
                          || tree.nameOf(name) == languageAttribute;
+    findImages();
 }
 
 Document TreeDrawer::drawAll(const Matrix& rootMatrix, const Point& viewport)
@@ -242,8 +243,9 @@ void TreeDrawer::drawGroup(Node node, const Place& around)
     if (around.repeated || !(isLayer || isGroup(node)))
         drawChildren(node, place);
     else
-        drawContainer(node, isLayer ? Container::Kind::Layer : Container::Kind::Group, place,
-                      around);
+        drawContainer(node,
+                      isLayer || holdsImage(node) ? Container::Kind::Layer : Container::Kind::Group,
+                      place, around);
 }
 
 // Whether a <g> becomes a group. Anonymous ones dissolve: they only style or move their content.
@@ -262,6 +264,9 @@ void TreeDrawer::drawContainer(Node node, Container::Kind kind, Place place, con
         name = tree_.attribute(node, "id");
     Particulars particulars = particularsOf(node);
     place.hidden = around.hidden; // the objects of a hidden container need not be hidden themselves
+    SharedUnderlay image;
+    if (kind == Container::Kind::Layer && holdsImage(node))
+        image = takeFirstImage(node, place);
     content_.open({.kind = kind,
                    .name = QString::fromUtf8(name),
                    .svgId = std::move(particulars.id),
@@ -269,7 +274,8 @@ void TreeDrawer::drawContainer(Node node, Container::Kind kind, Place place, con
                    .description = std::move(particulars.description),
                    .newStyle = QString::fromUtf8(tree_.attribute(node, "clearcut:new-objects")),
                    .visible = place.properties.displayed,
-                   .locked = tree_.attribute(node, "sodipodi:insensitive") == "true"});
+                   .locked = tree_.attribute(node, "sodipodi:insensitive") == "true",
+                   .underlay = std::move(image)});
     drawChildren(node, place);
     content_.close();
 }

@@ -3,6 +3,7 @@
 
 #include "app/formats/svg/clipped_content.h"
 #include "app/formats/svg/element_bounds.h"
+#include "app/formats/svg/image_source.h"
 #include "app/formats/svg/marker_vertices.h"
 #include "app/formats/svg/outline.h"
 #include "app/formats/svg/paint.h"
@@ -40,7 +41,9 @@ void setContext(Properties& to, const Properties& from);
 /// Converts the tree into a document. A table has one row for each element that SVG can paint.
 class TreeDrawer {
 public:
-    TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page);
+    /// `folder`: where images lie; empty: nowhere.
+    TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page,
+               const QString& folder);
 
     /// The content of the root as a document with the page. Throws Refused.
     Document drawAll(const Matrix& rootMatrix, const Point& viewport);
@@ -150,6 +153,19 @@ private:
     void addRun(const Place& place, const TextSpan& span, Texts& texts);
     const NamedFont& fontOf(const Properties& properties);
 
+    struct Image {
+        Underlay underlay;
+        bool shown;
+    };
+    void findImages();
+    bool holdsImage(Node node) const { return !holdsImage_.empty() && holdsImage_[node]; }
+    Node firstImage(Node layer) const;
+    void drawImage(Node node, const Place& around);
+    SharedUnderlay takeFirstImage(Node layer, const Place& place);
+    std::optional<Image> imageOf(Node node, const Place& around);
+    std::optional<Box> imageBox(Node node, const Place& place);
+    bool clipImage(Underlay& image, const ClipWindows& windows);
+
     std::optional<Colour> patternColour(Node pattern, const Box& box, const Lengths& lengths);
     std::optional<Colour> tileColour(Node pattern, const Matrix& matrix, const Lengths& lengths);
     bool hasMarkers(const Properties& properties) const;
@@ -195,8 +211,12 @@ private:
     std::size_t letters_ = 0;        ///< number of letters of texts
     LineFonts lineFonts_;
     std::unordered_map<std::string, NamedFont> fonts_; ///< by lists of families
-    bool hasConditions_ = false;  ///< whether the file names languages or extensions
-    std::vector<bool> idIsTaken_; ///< for the first element with an id: whether the id is in use
+    ImageSource imageSource_;
+    std::vector<bool> holdsImage_; ///< by element; empty: there are no images
+    Node ownImage_ = noNode;       ///< the last image that became that of the layer around it
+    int images_ = 0;               ///< number of images drawn
+    bool hasConditions_ = false;   ///< whether the file names languages or extensions
+    std::vector<bool> idIsTaken_;  ///< for the first element with an id: whether the id is in use
     int notesKept_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "app/formats/rounded.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/guide_text.h"
+#include "app/formats/svg/image_text.h"
 #include "app/formats/svg/length.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/recipe_text.h"
@@ -94,6 +95,8 @@ private:
             text_ += " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
                      " xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\""
                      " xmlns:clearcut=\"urn:clearcut:1\"";
+        if (tree().isUnderlaid())
+            text_ += " xmlns:xlink=\"http://www.w3.org/1999/xlink\"";
         appendName("id", about.id);
         const Point min = page.min * scale_, size = page.size * scale_;
         appendAttribute(text_, "width",
@@ -139,6 +142,10 @@ private:
     void appendContainer(ContainerId id)
     {
         openContainer(tree()[id]);
+        if (const SharedUnderlay& image = tree()[id].underlay) {
+            appendImage(text_, *image, id);
+            flush();
+        }
         const ObjectRange all = tree().rangeOf(id);
         std::size_t next = all.first;
         for (const ContainerId inner : tree().childrenOf(id)) {
