@@ -122,6 +122,13 @@ QString furtherCountsText(const CutCounts& counts)
     QStringList sentences;
     if (counts.dropped > 0)
         sentences << Text::tr("Pieces shorter than --min-length left out: %1.").arg(counts.dropped);
+    if (counts.imagesCut + counts.imagesGone > 0)
+        sentences
+            << Text::tr("Images: %1 cut, %2 removed.").arg(counts.imagesCut).arg(counts.imagesGone);
+    if (counts.imagesUncut > 0)
+        sentences << Text::tr("Images not cut along the windows, only at the rectangle around "
+                              "them: %1.")
+                         .arg(counts.imagesUncut);
     if (counts.cutLocked > 0)
         sentences
             << Text::tr("Locked layers are cut like the others; shapes cut or removed on them: %1.")

@@ -20,9 +20,12 @@ std::vector<Option> partOptions()
                   "as what is drawn, with its strokes.")}};
 }
 
-static DrawingPart only(const Imported& imported, const ObjectRanges& objects)
+static DrawingPart only(const Imported& imported, ContainerId layer)
 {
-    DrawingPart part{onlyObjects(imported.document, objects), {}};
+    const Document& all = imported.document;
+    const ObjectRanges objects =
+        without(ObjectRanges(all.containers().rangeOf(layer)), hiddenObjects(all));
+    DrawingPart part{onlyObjects(onlyImagesIn(all, layer), objects), {}};
     if (!imported.rows.empty())
         for (const ObjectRange& range : objects.ranges())
             part.rows.insert(part.rows.end(), imported.rows.begin() + std::ptrdiff_t(range.first),
@@ -41,8 +44,7 @@ DrawingPart chosenPart(const ParsedArguments& arguments, const Imported& importe
         if (tree[id].kind == Container::Kind::Layer) {
             names << tree[id].name;
             if (tree[id].name == *name)
-                return only(imported, without(ObjectRanges(tree.rangeOf(id)),
-                                              hiddenObjects(imported.document)));
+                return only(imported, id);
         }
     throw Failure{Text::tr("There is no layer “%1”. The layers are: %2.")
                       .arg(*name, names.join(QStringLiteral(", ")))};

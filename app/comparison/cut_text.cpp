@@ -44,6 +44,11 @@ QString cutText(const CutCounts& counts)
     QString text =
         parts.isEmpty() ? Text::tr("there was nothing to cut.") : parts.join(Text::tr(", ")) + u'.';
     addCount(text, counts.opened, QT_TRANSLATE_NOOP("Text", "Closed shapes cut open: %1."));
+    addCount(text, counts.imagesCut, QT_TRANSLATE_NOOP("Text", "Images cut: %1."));
+    addCount(text, counts.imagesGone, QT_TRANSLATE_NOOP("Text", "Images removed: %1."));
+    addCount(text, counts.imagesUncut,
+             QT_TRANSLATE_NOOP("Text", "Images not cut along the windows, only at the rectangle "
+                                       "around them: %1."));
     addCount(text, counts.dropped, QT_TRANSLATE_NOOP("Text", "Short pieces dropped: %1."));
     addCount(text, counts.fillsRemoved, QT_TRANSLATE_NOOP("Text", "Fills removed: %1."));
     addCount(text, counts.slanted,

@@ -5,6 +5,7 @@
 #include "app/cut/curved_border.h"
 #include "app/cut/cut_each.h"
 #include "app/cut/cut_edit.h"
+#include "app/cut/cut_images.h"
 #include "app/cut/line_clipping.h"
 
 #include <algorithm>
@@ -241,9 +242,11 @@ CutOptions atPolygons(CutOptions options, const CurvedBorder& border, const Page
 Cut cut(const Document& document, const CutOptions& options, const Follower& follower)
 {
     assert(options.clipAll);
-    if (auto made = cutWith(Grouping::Yes, document, options, follower))
-        return std::move(*made);
-    return *cutWith(Grouping::No, document, options, follower);
+    auto made = cutWith(Grouping::Yes, document, options, follower);
+    if (!made)
+        made = cutWith(Grouping::No, document, options, follower);
+    cutImages(*made, document, options);
+    return std::move(*made);
 }
 
 std::vector<CutObject> cutEach(const Objects& objects, const Page& page, const CutOptions& options)

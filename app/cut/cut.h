@@ -14,6 +14,7 @@ struct CutOptions {
     bool keepContacts = false; ///< single points of a longer line (CSV keeps them)
     bool leaveLocked = false;  ///< locked objects stay whole
     bool leaveHidden = false;  ///< hidden objects stay whole
+    bool leaveImages = false;  ///< images stay whole
     bool closeAreas = false;   ///< the stroke of a cut area runs along the cut, too
     double leastLength = 0;    ///< shorter pieces of cut lines are dropped (user units)
     double wideStroke = 0;     ///< the least for `CutCounts::slanted`; 0: none. 1 mm with `cutAt`
@@ -47,6 +48,9 @@ struct CutCounts {
     /// Objects with a wide stroke that a slanted edge cuts: it ends at right angles to its line,
     /// not along the edge. `strokesAsAreas` lets it end there.
     std::size_t slanted = 0;
+    /// Images that are cut, at most at the rectangle around the windows; those of which more is
+    /// left than the windows keep; and those of which nothing is left.
+    std::size_t imagesCut = 0, imagesUncut = 0, imagesGone = 0;
     std::size_t segmentsBefore = 0, segmentsAfter = 0; ///< of the objects that were cut
 };
 

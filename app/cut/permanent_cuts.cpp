@@ -15,7 +15,7 @@ namespace {
 /// Hides the windows that have cut, so that all that is left is seen.
 Cut withWindowsHidden(Cut made, const Document& document)
 {
-    if (made.edit.splices.empty() || !cuts(document.windows()))
+    if ((made.edit.splices.empty() && !made.edit.containers) || !cuts(document.windows()))
         return made;
     made.edit.windows = document.windows();
     for (ClipWindow& window : made.edit.windows->list) // or one of them would no longer be replaced

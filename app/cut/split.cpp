@@ -12,6 +12,7 @@ namespace {
 Cut cutKeeping(const Document& document, CutOptions options, Keep keep, const Follower& follower)
 {
     options.region = withKeep(options.region, keep);
+    options.leaveImages = true;
     return cut(document, options, follower);
 }
 

@@ -12,12 +12,18 @@
 namespace app {
 namespace {
 
+/// The layer that is exported; 0: none.
+ContainerId layerOf(const ExportArea& area)
+{
+    return area.part == ExportPart::Layer ? area.layer : 0;
+}
+
 Document contentOf(const ExportJob& job)
 {
     Document content = withOwnStyles(job.source.document); // a cut adds many styles
     const Format& format = formatOf(job.choice);
     if (const auto objects = objectsOf(job.source, job.choice.area))
-        content = onlyObjects(std::move(content), *objects);
+        content = onlyObjects(onlyImagesIn(std::move(content), layerOf(job.choice.area)), *objects);
     else if (format.hides == StoresHidden::No)
         content = withoutHidden(std::move(content));
     const double tolerance = usualTolerance(content.page());

@@ -3,7 +3,26 @@
 
 #include "app/base/numbers.h"
 
+#include <set>
+
 namespace app {
+
+Document onlyImagesIn(Document document, ContainerId layer)
+{
+    Containers tree = document.containers();
+    for (const ContainerId id : tree.underlaid()) {
+        ContainerId around = id;
+        while (around != 0 && around != layer)
+            around = tree.parentOf(around);
+        if (around != 0)
+            continue;
+        Container without = tree[id];
+        without.underlay = {};
+        tree = tree.with(without);
+    }
+    document.apply({.containers = std::move(tree)});
+    return document;
+}
 
 Document onlyObjects(Document document, const ObjectRanges& objects)
 {
@@ -13,8 +32,13 @@ Document onlyObjects(Document document, const ObjectRanges& objects)
     for (const ObjectRange& range : others.ranges())
         edit.splices.push_back({std::uint32_t(range.first), std::uint32_t(range.size()), 0});
     Containers tree = document.containers().spliced(edit.splices);
+    std::set<ContainerId> withImages{0};
+    for (ContainerId id : tree.underlaid())
+        for (; withImages.insert(id).second;)
+            id = tree.parentOf(id);
     for (const ContainerId id : tree.inOrder()) // else removed with one around it
-        if (tree.contains(id) && tree.rangeOf(id).empty() && tree.size() > 1)
+        if (tree.contains(id) && tree.rangeOf(id).empty() && tree.size() > 1
+            && !withImages.contains(id))
             tree = tree.removed(id);
     edit.containers = std::move(tree);
     document.apply(edit);

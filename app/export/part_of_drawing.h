@@ -6,6 +6,9 @@
 
 namespace app {
 
+/// The drawing without the images of layers other than this one and those in it; 0: without any.
+Document onlyImagesIn(Document document, ContainerId layer);
+
 /// The document with only these objects, in their layers and groups; containers without objects are
 /// left out.
 Document onlyObjects(Document document, const ObjectRanges& objects);
