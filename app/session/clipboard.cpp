@@ -60,6 +60,7 @@ std::unordered_set<ContainerId> copiedGroups(const Document& document, const Obj
 // The document with only these objects, in their layers, and in the groups that are copied.
 Document only(Document document, const ObjectRanges& objects, ContainerId entered)
 {
+    document = onlyImagesIn(std::move(document), 0); // nothing selects them
     const auto groups = copiedGroups(document, objects, entered);
     Page page = document.page();
     page.guides = {};

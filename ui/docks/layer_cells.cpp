@@ -50,7 +50,9 @@ QVariant LayerModel::containerCell(const app::TreeRow& row, int role) const
     case OpenRole:
         return objects.empty() || search_ ? QVariant() : QVariant(tree_.isOpen(row.container));
     case IconRole:
-        return isLayer ? QVariant() : QVariant(QStringLiteral("group"));
+        return !isLayer             ? QVariant(QStringLiteral("group"))
+               : container.underlay ? QVariant(QStringLiteral("image"))
+                                    : QVariant();
     case PenRole:
         return isLayer && session_.pen.layer == row.container;
     case Qt::DecorationRole:
@@ -61,7 +63,11 @@ QVariant LayerModel::containerCell(const app::TreeRow& row, int role) const
             return QColor(colour->red, colour->green, colour->blue);
         return {};
     case Qt::ToolTipRole:
-        return isLayer
+        return container.underlay
+                   ? Text::tr("A layer above an image, which nothing selects. Right click: remove "
+                              "the image. Double click: rename. Alt+click on the eye: show only "
+                              "this layer. Drag: move.")
+               : isLayer
                    ? Text::tr("Double click: rename. Click the colour: choose that of new objects. "
                               "Alt+click on the eye: show only this layer. Drag: move.")
                    : Text::tr("Click: select the group. Double click: rename. Drag: to a layer.");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/image_steps.h"
 #include "app/session/rearrange_selection.h"
 #include "app/session/select_alike.h"
 #include "ui/docks/layer_list.h"
@@ -72,6 +73,13 @@ std::vector<LayerCommand> LayerList::makeCommands()
          [this](ContainerId layer) { app::moveSelectionTo(session_, layer); },
          someSelected},
         {},
+        {Text::tr("Remove image"),
+         {},
+         [this](ContainerId layer) { app::removeImage(session_, layer); },
+         [this](ContainerId layer) {
+             const app::Containers& tree = session_.now().containers();
+             return layer != 0 && tree.contains(layer) && tree[layer].underlay;
+         }},
         {Text::tr("Delete layer"),
          {},
          [this](ContainerId layer) { layers_->removeLayer(layer); },

@@ -36,11 +36,13 @@ void cutSelection(app::Session& session)
 
 bool canPaste(const QMimeData& data)
 {
-    return data.hasFormat(QStringLiteral("image/svg+xml")) || data.hasText();
+    return data.hasFormat(QStringLiteral("image/svg+xml")) || data.hasText()
+           || app::offersImage(data);
 }
 
 QString paste(app::Session& session, const QMimeData* data, app::PastePlace place,
-              app::PastedText text, const std::optional<clipping::Window>& seen)
+              app::PastedText text, app::ImagePlacing& placing,
+              const std::optional<clipping::Window>& seen)
 {
     const app::Document drawing = data ? app::pasted(*data, session.now().page()) : app::Document();
     if (!drawing.objects().empty()) {
@@ -48,11 +50,13 @@ QString paste(app::Session& session, const QMimeData* data, app::PastePlace plac
         return {};
     }
     text.text = data ? data->text() : QString();
-    if (text.text.trimmed().isEmpty())
-        return data && data->hasImage()
-                   ? Text::tr("The clipboard holds a picture, and a drawing holds only lines. Copy "
-                              "lines or a text.")
-                   : Text::tr("The clipboard holds no drawing and no text. Copy lines first.");
+    if (text.text.trimmed().isEmpty()) {
+        if (!data || !app::offersImage(*data))
+            return Text::tr("The clipboard holds no drawing, no text and no image. Copy lines "
+                            "first.");
+        placing.place(*data);
+        return {};
+    }
     const auto written = app::drawingOf(session, text);
     if (written)
         app::paste(session, *written.value, app::PastePlace::InPlace);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/copy_selection.h"
+#include "app/session/image_steps.h"
 #include "app/session/pasted_text.h"
 #include "app/session/session.h"
 
@@ -11,17 +12,18 @@ class QMimeData;
 
 namespace ui {
 
-// The Edit menu's functions on the selection and the clipboard (SVG or text). Each is one undo
-// step.
+// The Edit menu's functions on the selection and the clipboard (SVG, text or an image). Each is one
+// undo step.
 
 void copySelection(const app::Session& session);
 void cutSelection(app::Session& session);
 /// Pastes the drawing of the clipboard or of another program's drag, or its text as an object in
-/// the font and at the place of `text`, whose own text does not count. Empty, or why nothing was
-/// pasted.
+/// the font and at the place of `text`, whose own text does not count, or hands an image to
+/// `placing`. Empty, or why nothing was pasted.
 QString paste(app::Session& session, const QMimeData* data, app::PastePlace place,
-              app::PastedText text, const std::optional<clipping::Window>& seen = {});
-/// Whether what is dragged may be pasted: a drawing or a text.
+              app::PastedText text, app::ImagePlacing& placing,
+              const std::optional<clipping::Window>& seen = {});
+/// Whether what is dragged may be pasted: a drawing, a text or an image.
 bool canPaste(const QMimeData& data);
 void deleteSelection(app::Session& session);
 /// Selects every object that is visible and not locked, in the entered group if there is one.

@@ -44,8 +44,9 @@ app::PastedText textToPaste(const Canvas& canvas)
 
 void pasteOrWarn(MainWindow& window, app::PastePlace place)
 {
-    const QString why = paste(window.session(), QGuiApplication::clipboard()->mimeData(), place,
-                              textToPaste(window.canvas()), window.canvas().view().visible());
+    const QString why =
+        paste(window.session(), QGuiApplication::clipboard()->mimeData(), place,
+              textToPaste(window.canvas()), window.placing(), window.canvas().view().visible());
     withdrawWarning(window);
     pasteWarning() = why;
     if (!why.isEmpty())

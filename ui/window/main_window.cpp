@@ -39,7 +39,7 @@ constexpr QSize smallest(1024, 640), usualSize(1280, 800);
 
 MainWindow::MainWindow(Backend backend, QWidget* parent)
     : QMainWindow(parent), theme_(savedTheme()), canvas_(new Canvas(session_, backend)),
-      strip_(new MessageStrip),
+      strip_(new MessageStrip), placing_(std::make_unique<app::ImagePlacing>(session_)),
       files_(std::make_unique<Files>(session_, *this, std::make_unique<Questions>(*this, strip_)))
 {
     if (parent)

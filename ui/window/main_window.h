@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/drawn_line.h"
+#include "app/session/image_steps.h"
 #include "app/session/live_sheets.h"
 #include "ui/canvas/canvas.h"
 #include "ui/dialogs/questions.h"
@@ -51,6 +52,7 @@ public:
     Canvas& canvas() { return *canvas_; }
     const Canvas& canvas() const { return *canvas_; }
     Files& files() { return *files_; }
+    app::ImagePlacing& placing() { return *placing_; }
     WindowPanel& windowPanel() { return *panels_.window; }
     AlgorithmPanel& algorithmPanel() { return *panels_.algorithm; }
     ComparePanel& comparePanel() { return *panels_.compare; }
@@ -167,6 +169,7 @@ private:
     Drawings* drawings_ = nullptr;
     OptionBar* optionBar_ = nullptr;
     StatusBar* status_ = nullptr;
+    std::unique_ptr<app::ImagePlacing> placing_;
     std::unique_ptr<Files> files_;
     Panels panels_{session_, *canvas_};
     std::unique_ptr<PanelLayout> panelLayout_;

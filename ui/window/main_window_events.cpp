@@ -146,8 +146,12 @@ void MainWindow::dropEvent(QDropEvent* event)
     if (paths.isEmpty())
         return takeDropped(*event->mimeData(), event->position());
     QStringList lessons, drawings;
-    for (const QString& path : paths)
-        (app::isLessonPath(path) ? lessons : drawings) << path;
+    for (const QString& path : paths) {
+        if (app::isNamedLikeImage(path))
+            placing_->place(path);
+        else
+            (app::isLessonPath(path) ? lessons : drawings) << path;
+    }
     if (!lessons.isEmpty())
         openLessons(lessons);
     if (!drawings_) // one file replaces the drawing
@@ -159,13 +163,14 @@ void MainWindow::dropEvent(QDropEvent* event)
             this, [this, path] { files_->open(path); }, Qt::QueuedConnection);
 }
 
-/// The drawing or text of another program comes to the place where it was dropped.
+/// The drawing or text of another program comes to the place where it was dropped; an image lies
+/// below all.
 void MainWindow::takeDropped(const QMimeData& data, const QPointF& position)
 {
     const QWidget* surface = canvas_->paneSurface(canvas_->panes().active());
     const QPointF at = surface ? surface->mapFromGlobal(mapToGlobal(position)) : position;
     const app::PastedText text = canvas_->textAt(at);
-    const QString why = paste(session_, &data, app::PastePlace::Offset, text,
+    const QString why = paste(session_, &data, app::PastePlace::Offset, text, *placing_,
                               clipping::Window{text.centre, text.centre});
     if (!why.isEmpty())
         tell({Message::Kind::Warning, why});

@@ -57,6 +57,7 @@ struct Stage {
     const app::Document& now() const { return session.now(); }
 
     app::Session session;
+    app::ImagePlacing placing{session};
     int edits = 0;
 };
 
@@ -114,7 +115,7 @@ private slots:
         app::duplicateInPlace(stage.session);
         copySelection(stage.session);
         QCOMPARE(paste(stage.session, QGuiApplication::clipboard()->mimeData(),
-                       app::PastePlace::InPlace, {}),
+                       app::PastePlace::InPlace, {}, stage.placing),
                  QString());
         const app::Containers& tree = stage.now().containers();
         QCOMPARE(tree.rangeOf(group), (app::ObjectRange{1, 4}));
@@ -137,7 +138,7 @@ private slots:
         stage.session.document.apply(edit);
         QSignalSpy refused(&stage.session, &app::Session::refused);
         QCOMPARE(paste(stage.session, QGuiApplication::clipboard()->mimeData(),
-                       app::PastePlace::Offset, {}),
+                       app::PastePlace::Offset, {}, stage.placing),
                  QString());
         QCOMPARE(refused.count(), 1);
         QCOMPARE(stage.session.history.count(), 0);
@@ -150,7 +151,7 @@ private slots:
         selectAll(stage.session);
         copySelection(stage.session);
         QCOMPARE(paste(stage.session, QGuiApplication::clipboard()->mimeData(),
-                       app::PastePlace::Offset, {}),
+                       app::PastePlace::Offset, {}, stage.placing),
                  QString());
         QCOMPARE(stage.edits, 1);
         QCOMPARE(stage.session.history.text(0), "Paste");

@@ -231,12 +231,12 @@ private slots:
     {
         TestWindow t;
         t.show();
-        QMimeData words, lines, picture;
+        QMimeData words, lines, other;
         words.setText("Roof");
         lines.setData("image/svg+xml",
                       "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm' "
                       "viewBox='0 0 9 9'><path d='M0 0 9 9' stroke='black'/></svg>");
-        picture.setData("image/gif", "GIF89a");
+        other.setData("application/x-other", "GIF89a");
         const QWidget* surface = t.window->canvas().paneSurface(0);
         const QPointF at = surface->rect().center() + QPoint(60, 40);
         const auto drop = [&](const QMimeData& data) {
@@ -261,7 +261,7 @@ private slots:
         QVERIFY(drop(lines));
         QCOMPARE(session.now().objects().size(), std::size_t(2));
         QVERIFY(middle() < 1);
-        QVERIFY(!drop(picture));
+        QVERIFY(!drop(other));
         QCOMPARE(session.history.count(), 2);
     }
     void itAsksAboutUnsavedChanges()
@@ -533,7 +533,8 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
-        const QString warning = "The clipboard holds no drawing and no text. Copy lines first.";
+        const QString warning =
+            "The clipboard holds no drawing, no text and no image. Copy lines first.";
         const auto shapes = [&] { return sheetOf(t.window->session().document).shapes.size(); };
         for (const char* next : {"copy", "paste"}) {
             QGuiApplication::clipboard()->setText(" ");
@@ -579,7 +580,7 @@ private slots:
         t.action("undo")->trigger();
         QCOMPARE(session.now().objects().size(), std::size_t(1));
     }
-    void aPictureIsNotPasted()
+    void aPictureIsPastedBelowTheDrawing()
     {
         TestWindow t;
         t.open(t.twoLines());
@@ -587,8 +588,13 @@ private slots:
         picture.fill(Qt::red);
         QGuiApplication::clipboard()->setImage(picture);
         t.action("paste")->trigger();
-        QVERIFY(t.window->message().startsWith("The clipboard holds a picture"));
-        QCOMPARE(t.window->session().history.count(), 0);
+        app::Session& session = t.window->session();
+        QTRY_COMPARE(session.history.count(), 1);
+        QCOMPARE(session.history.text(0), "Place image");
+        const app::Containers& tree = session.now().containers();
+        QCOMPARE(tree.underlaid(), std::vector{tree.childrenOf(0).front()});
+        t.action("undo")->trigger();
+        QVERIFY(!session.now().containers().isUnderlaid());
     }
     void clipboardAndSelection()
     {
