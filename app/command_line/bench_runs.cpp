@@ -56,7 +56,7 @@ std::vector<Record> emptyRecords(const Plan& plan)
 }
 
 /// The JSON of one run, measured by this program.
-QJsonArray oneRun(std::size_t run)
+QJsonArray measuredRun(std::size_t run)
 {
     QProcess process;
     process.setProcessChannelMode(QProcess::SeparateChannels);
@@ -103,7 +103,7 @@ std::vector<Record> recordsInProcesses(const Plan& plan, const Follower& followe
     const std::size_t runs = plan.trials.empty() ? 0 : plan.trials.front().options.runs;
     TurnProgress turns(follower, double(runs));
     for (std::size_t run = 0; run < runs; ++run) {
-        const QJsonArray trials = oneRun(run);
+        const QJsonArray trials = measuredRun(run);
         for (std::size_t i = 0; i < records.size(); ++i) {
             const QJsonObject trial = trials[qsizetype(i)].toObject();
             const QJsonArray timings = trial[QLatin1StringView("timings")].toArray();

@@ -138,7 +138,8 @@ void DrawListBuilder::add(const SharedUnderlay& image)
     polylines_.end();
     const View& view = options_.view;
     const Point corner = view.toScreen({0, 0});
-    DrawCommand command{.image = std::uint32_t(drawList_.images.size())};
+    DrawCommand command;
+    command.image = std::uint32_t(drawList_.images.size());
     command.firstPolyline = std::uint32_t(drawList_.polylines.size());
     drawList_.commands.push_back(command);
     drawList_.images.push_back({image, QTransform(view.zoom, 0, 0, view.zoom, corner.x, corner.y)});
