@@ -113,7 +113,7 @@ private slots:
         Document document = drawing({{rectangle({{5, -6}, {15, 16}})}});
         CutOptions options{.clipAll = clipping::exactAlgorithm().corrected.clipAll};
         cutAt(options, document.windows(), document.page());
-        document.apply(permanentCut("split").cut(document, options, {}).edit);
+        document.apply(permanentCut("split").make(document, options, {}).edit);
         QCOMPARE(document.containers().size(), std::size_t(2));
         QCOMPARE(seenUnderlays(document).size(), std::size_t(1));
         QCOMPARE(boxOfImage(document)->max, Point(40, 30));
