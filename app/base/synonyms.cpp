@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/synonyms.h"
 
+#include <QHash>
 #include <QStringList>
 
-#include <algorithm>
 #include <array>
 
 namespace app {
 
 namespace {
 
-QString utf8(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+QString utf8(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
 
 } // namespace
 
@@ -86,13 +89,15 @@ std::span<const Synonym> synonyms()
 
 QString inProgramWords(const QString& text)
 {
+    static const QHash<QString, QString> known = [] {
+        QHash<QString, QString> all;
+        for (const Synonym& synonym : synonyms())
+            all[utf8(synonym.typed)] = utf8(synonym.word);
+        return all;
+    }();
     QStringList words = text.split(u' ');
     for (QString& word : words)
-        for (const Synonym& synonym : synonyms())
-            if (word.compare(utf8(synonym.typed), Qt::CaseInsensitive) == 0) {
-                word = utf8(synonym.word);
-                break;
-            }
+        word = known.value(word.toLower(), word);
     return words.join(u' ');
 }
 

@@ -22,7 +22,8 @@ std::optional<ManualPicture::Disc> discIn(const QString& number, const QString& 
     const ManualPicture::Disc disc{number.toInt(&isNumber),
                                    {place.section(u',', 0, 0).toDouble(&isX) / 100,
                                     place.section(u',', 1).toDouble(&isY) / 100}};
-    const bool isInside = QRectF(0, 0, 1, 1).contains(disc.at);
+    const bool isInside =
+        disc.at.x() >= 0 && disc.at.x() <= 1 && disc.at.y() >= 0 && disc.at.y() <= 1;
     return isNumber && isX && isY && isInside && disc.number > 0 && disc.number <= mostDiscs
                ? std::optional(disc)
                : std::nullopt;
@@ -73,6 +74,10 @@ QImage painted(const ManualPicture& picture, const QSize& points, double pixelRa
     painter.setRenderHint(QPainter::Antialiasing);
     for (const ManualPicture::Disc& disc : picture.discs)
         paint(painter, disc, points, discs);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(discs.frame, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRect({}, points).adjusted(0, 0, -1, -1));
     return image;
 }
 

@@ -22,10 +22,11 @@ struct ManualPicture {
     std::vector<Disc> discs{};
 };
 
-/// How the discs look.
+/// How the discs and the frame of the picture look.
 struct DiscLook {
-    QColor ground, text;
+    QColor ground, text, frame;
     QFont font;
+    friend bool operator==(const DiscLook&, const DiscLook&) = default;
 };
 
 /// What an address such as "sample:landscape?3=20,40&4=50,80" means: the discs by their numbers, at

@@ -49,6 +49,9 @@ std::vector<HelpPart> readContents()
     parts.push_back({Text::tr("Algorithms"), {}});
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
         parts.back().pages.push_back(pageOn(algorithm));
+    for (HelpPart& part : parts)
+        for (HelpPage& page : part.pages)
+            page.small = page.text.toLower();
     return parts;
 }
 
@@ -87,22 +90,31 @@ std::optional<Found> inCommands(const QString& typed, const HelpPage& page,
     return best;
 }
 
-/// Each word, or the program's word for it, is somewhere on the page.
+/// The word of the page that a typed one means: itself, or the program's word for it; empty: the
+/// page has neither.
+QString wordOn(const HelpPage& page, const QString& typed)
+{
+    const auto isThere = [&page](const QString& word) {
+        return page.small.contains(word) || page.title.contains(word, Qt::CaseInsensitive);
+    };
+    if (isThere(typed))
+        return typed;
+    const QString meant = inProgramWords(typed);
+    return meant != typed && isThere(meant) ? meant : QString();
+}
+
+/// Each word, or the program's word for it, is somewhere on the page. They are in lower case.
 std::optional<Found> inText(const QStringList& words, const HelpPage& page)
 {
     int places = 0;
     qsizetype first = -1; // of the first word
     for (const QString& typed : words) {
-        const auto isThere = [&page](const QString& word) {
-            return page.text.contains(word, Qt::CaseInsensitive)
-                   || page.title.contains(word, Qt::CaseInsensitive);
-        };
-        const QString word = isThere(typed) ? typed : inProgramWords(typed);
-        if (!isThere(word))
+        const QString word = wordOn(page, typed);
+        if (word.isEmpty())
             return std::nullopt;
-        places += int(page.text.count(word, Qt::CaseInsensitive));
+        places += int(page.small.count(word));
         if (&typed == &words.front())
-            first = page.text.indexOf(word, 0, Qt::CaseInsensitive);
+            first = page.small.indexOf(word);
     }
     return Found{std::min(places, mostPlaces), first < 0 ? QString() : excerpt(page.text, first)};
 }
@@ -128,7 +140,7 @@ const std::vector<HelpPart>& helpContents()
 std::vector<HelpHit> searchHelp(const QString& typed, const HelpCommands& commands)
 {
     const QString sought = typed.left(mostLetters).simplified();
-    const QStringList words = sought.split(u' ', Qt::SkipEmptyParts);
+    const QStringList words = sought.toLower().split(u' ', Qt::SkipEmptyParts);
     if (words.isEmpty())
         return {};
     std::vector<std::pair<int, HelpHit>> found;

@@ -15,6 +15,7 @@ struct HelpPage {
     QString title;
     QString text;         ///< of the page, without its title
     QStringList commands; ///< that it explains
+    QString small{};      ///< the text in lower case, in which is searched
 };
 
 /// A part of the contents: its heading and its pages.

@@ -2,6 +2,7 @@
 #include "app/teaching/shown_steps.h"
 
 #include "app/base/text.h"
+#include "app/document/paper.h"
 
 #include <QRegularExpression>
 
@@ -15,7 +16,8 @@ namespace app {
 namespace {
 
 constexpr qsizetype mostSteps = 60, mostPoints = 200, mostWords = 100, longestLine = 1000;
-constexpr double farthest = 10'000; // millimetres
+constexpr double farthest = 10'000;               // millimetres
+constexpr std::size_t mostCopiedObjects = 20'000; // more than in any sample
 
 using Kind = ShownStep::Kind;
 using Words = QStringList;
@@ -86,7 +88,8 @@ std::optional<ShownStep::Key> namedKey(const QString& word)
     const QKeySequence keys(known, QKeySequence::PortableText);
     if (keys.count() != 1 || keys[0].key() == Qt::Key_unknown)
         return std::nullopt;
-    return ShownStep::Key{keys[0], keys[0].key() == Qt::Key_Space ? QStringLiteral(" ") : QString()};
+    return ShownStep::Key{keys[0],
+                          keys[0].key() == Qt::Key_Space ? QStringLiteral(" ") : QString()};
 }
 
 /// A word of one letter is a key, as in "G 10,20 Enter"; in longer ones capitals are typed.
@@ -216,11 +219,17 @@ Result<ShownSteps> shownSteps(const QString& text)
     return Result<ShownSteps>::of(std::move(steps));
 }
 
-QString placeOfSteps(const QString& text)
+bool ShownSteps::areIn(const Document& own) const
+{
+    return inCopy && !own.objects().empty() && own.objects().size() <= mostCopiedObjects
+           && fitOn(millimetresOf(own.page()));
+}
+
+QString placeOfSteps(const QString& text, const Document& own)
 {
     const auto steps = shownSteps(text);
     return !steps                          ? QString()
-           : steps.value->inCopy           ? Text::tr("in a copy of the drawing")
+           : steps.value->areIn(own)       ? Text::tr("in a copy of the drawing")
            : steps.value->sample.isEmpty() ? Text::tr("in a new drawing")
                                            : Text::tr("in a sample drawing");
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/base/result.h"
-#include "app/document/subpath.h"
+#include "app/document/document.h"
 
 #include <QKeySequence>
 #include <QString>
@@ -47,13 +47,16 @@ struct ShownSteps {
 
     /// Whether all points of the steps are on a page of this size in millimetres.
     bool fitOn(const Point& page) const;
+    /// Whether they are shown in a copy of this drawing: it is not empty, its page has room, and it
+    /// is not so large that laying it out again would hold the window.
+    bool areIn(const Document& own) const;
 };
 
 /// Reads the comment of a page (resources/README.md describes it): a line for each step. A failure
 /// names the line that is wrong.
 Result<ShownSteps> shownSteps(const QString& text);
 
-/// Where they are shown, in a few words: "in a copy of the drawing".
-QString placeOfSteps(const QString& text);
+/// Where they are shown, in a few words: "in a copy of the drawing". Empty: they are damaged.
+QString placeOfSteps(const QString& text, const Document& own);
 
 } // namespace app

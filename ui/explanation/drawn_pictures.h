@@ -5,18 +5,23 @@
 
 #include <QImage>
 
+#include <deque>
+
 namespace ui {
 
-/// The pictures of pages that the program draws (`app/session/manual_picture.h`), on another thread:
-/// a sample takes longer than a frame.
+struct Look;
+
+/// The pictures of pages that the program draws (`app/session/manual_picture.h`), on another
+/// thread: a sample takes longer than a frame.
 class DrawnPictures : public QObject {
     Q_OBJECT
 
 public:
     using QObject::QObject;
 
-    /// The picture of an address. Until it is drawn, an empty one of its size; `drawn` follows.
-    QImage picture(const QString& address, int width, double pixelRatio);
+    /// The picture of an address on a page of this look. Until it is drawn, an empty one of its
+    /// size; `drawn` follows.
+    QImage picture(const QString& address, int width, double pixelRatio, const Look& look);
 
     /// The same at once, for paper.
     static QImage now(const QString& address, int width, double pixelRatio);
@@ -29,9 +34,11 @@ private:
         QString address;
         int width = 0;
         double pixelRatio = 1;
+        const Look* look = nullptr;
         QImage image{};
     };
-    Kept kept_, wanted_;
+    std::deque<Kept> kept_; ///< the newest last
+    Kept wanted_;
     app::Background<QImage> work_{app::paintingThreads()};
 };
 

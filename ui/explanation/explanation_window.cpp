@@ -45,8 +45,8 @@ void putOverPanels(QWidget& help, const QWidget& editor)
 ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
     : QDialog(&window, Qt::Window), session_(session),
       questions_(std::make_unique<Questions>(*this)), contents_(new HelpContents),
-      page_(new PageView), wanted_(new QLineEdit), found_(new ElidedLabel), strip_(new MessageStrip),
-      where_(new ElidedLabel)
+      page_(new PageView), wanted_(new QLineEdit), found_(new ElidedLabel),
+      strip_(new MessageStrip), where_(new ElidedLabel)
 {
     setObjectName(QStringLiteral("explanation"));
     contents_->setFixedWidth(contentsWidth);
@@ -245,7 +245,8 @@ void ExplanationWindow::showPlace()
     look_->setVisible(page_->algorithm());
     const auto manual = app::manualPage(page_->topic());
     foot_->setVisible(manual && !manual->shows.isEmpty());
-    where_->setWhole(foot_->isHidden() ? QString() : app::placeOfSteps(manual->shows));
+    where_->setWhole(foot_->isHidden() ? QString()
+                                       : app::placeOfSteps(manual->shows, session_.now()));
     contents_->showPlace(page_->source().path());
     if (page_->topic() != inHand_)
         inHand_.clear();

@@ -45,7 +45,7 @@ public:
 
 signals:
     void showWanted(const app::ManualPage& page); ///< its steps, in a drawing of their own
-    void editorWanted(); ///< in front, with its microscope
+    void editorWanted();                          ///< in front, with its microscope
     void hardCaseWanted(const app::HardCase& hard);
     void failingWanted(const QString& variant); ///< the cases that this variant gets wrong
 
@@ -76,7 +76,7 @@ private:
     QToolButton* look_ = nullptr; ///< on pages of algorithms
     QWidget* foot_ = nullptr;     ///< on pages whose steps can be shown
     ElidedLabel* where_;
-    QString inHand_;              ///< the page that follows what is in hand; empty: none does
+    QString inHand_; ///< the page that follows what is in hand; empty: none does
 };
 
 } // namespace ui

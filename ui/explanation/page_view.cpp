@@ -133,7 +133,8 @@ QVariant PageView::loadResource(int type, const QUrl& url)
         return app::pageFigure(url.toString(), groundOf(palette()), columnWidth(),
                                devicePixelRatioF());
     if (url.scheme() == QStringLiteral("sample"))
-        return drawn_->picture(url.toString(), columnWidth(), devicePixelRatioF());
+        return drawn_->picture(url.toString(), columnWidth(), devicePixelRatioF(),
+                               lookOf(palette()));
     if (const auto* algorithm = app::algorithmOfPage(url.path()))
         return app::readingOf(*algorithm).toUtf8();
     if (const auto page = app::manualPage(app::topicOfPage(url.path())))

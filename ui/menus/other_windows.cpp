@@ -20,6 +20,8 @@
 #include <QShortcut>
 #include <QStatusBar>
 
+#include <utility>
+
 namespace ui {
 
 namespace {
@@ -71,6 +73,7 @@ OtherWindows::OtherWindows(MainWindow& window) : QObject(&window), window_(windo
     connect(&window, &MainWindow::experimentWanted, this, &OtherWindows::showExperiment);
     connect(&window, &MainWindow::explanationWanted, this, &OtherWindows::explain);
     connect(&window, &MainWindow::stepsExportWanted, this, &OtherWindows::exportSteps);
+    window.installEventFilter(this);
 }
 
 void OtherWindows::showExperiment()
@@ -123,17 +126,31 @@ ExplanationWindow& OtherWindows::reader()
                     showHardCases();
                     hardCases_->chooseFailing(variant);
                 });
-        connect(explanation_, &ExplanationWindow::showWanted, this,
-                [this](const app::ManualPage& page) {
-                    if (const QString why = showSteps(window_, page); !why.isEmpty())
-                        explanation_->tell(why);
-                });
+        connect(explanation_, &ExplanationWindow::showWanted, this, &OtherWindows::showSteps);
         connect(explanation_, &ExplanationWindow::editorWanted, &window_, &MainWindow::comeToFront);
         connect(&window_.canvas(), &Canvas::toolChanged, explanation_,
                 [this] { explanation_->takeInHand(app::topicExplaining(commandInHand(window_))); });
     }
     explanation_->setCommands(helpCommands(window_));
     return *explanation_;
+}
+
+/// Where the help would cover them it waits until this drawing is in front again.
+void OtherWindows::showSteps(const app::ManualPage& page)
+{
+    if (const QString why = ui::showSteps(window_, page); !why.isEmpty())
+        return explanation_->tell(why);
+    helpWaits_ = !window_.isVisible()
+                 && explanation_->frameGeometry().intersects(window_.window()->frameGeometry());
+    if (helpWaits_)
+        explanation_->hide();
+}
+
+bool OtherWindows::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == &window_ && event->type() == QEvent::Show && std::exchange(helpWaits_, false))
+        QMetaObject::invokeMethod(explanation_, &QWidget::show, Qt::QueuedConnection);
+    return QObject::eventFilter(watched, event);
 }
 
 void OtherWindows::help()

@@ -5,6 +5,10 @@
 
 #include <QObject>
 
+namespace app {
+struct ManualPage;
+}
+
 namespace ui {
 
 class ExperimentWindow;
@@ -37,15 +41,20 @@ public:
     /// Opens the export dialog for the microscope's trace.
     void exportSteps();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void addHelp(QWidget& other, const QString& command);
     ExplanationWindow& reader();
+    void showSteps(const app::ManualPage& page);
 
     MainWindow& window_;
     ExperimentWindow* experiment_ = nullptr;
     HardCasesWindow* hardCases_ = nullptr;
     JudgeWindow* judge_ = nullptr;
     ExplanationWindow* explanation_ = nullptr;
+    bool helpWaits_ = false; ///< it is hidden while steps are shown in another drawing
     StepExports* stepExports_ = nullptr;
     Palette* palette_ = nullptr;
 };

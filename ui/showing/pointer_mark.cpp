@@ -16,7 +16,8 @@ constexpr double ring = 14;
 QPainterPath arrow()
 {
     QPainterPath path({0, 0});
-    for (const QPointF& p : {QPointF(0, 19), {4.6, 15}, {7.6, 22}, {10.8, 20.6}, {7.8, 13.8}, {14, 13.4}})
+    for (const QPointF& p :
+         {QPointF(0, 19), {4.6, 15}, {7.6, 22}, {10.8, 20.6}, {7.8, 13.8}, {14, 13.4}})
         path.lineTo(p);
     path.closeSubpath();
     return path;

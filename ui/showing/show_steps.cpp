@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/showing/show_steps.h"
 
-#include "app/document/paper.h"
 #include "app/session/samples.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
+#include "ui/showing/shown_commands.h"
 #include "ui/showing/shown_counts.h"
 #include "ui/showing/step_player.h"
 #include "ui/window/drawings.h"
@@ -119,7 +119,7 @@ QString faultOf(MainWindow& window, const app::ShownSteps& steps)
 
 app::Document drawingFor(const app::Document& own, const app::ShownSteps& steps)
 {
-    if (steps.inCopy && !own.objects().empty() && steps.fitOn(app::millimetresOf(own.page())))
+    if (steps.areIn(own))
         return own;
     for (const app::Sample& sample : app::samples())
         if (sample.key == steps.sample)
@@ -143,12 +143,12 @@ QString showSteps(MainWindow& from, const app::ManualPage& page)
     if (!shown)
         return {};
     shown->window()->activateWindow();
-    shown->files().openMade(
-        std::move(drawing), Text::tr("Shown: %1").arg(page.title),
-        [shown = QPointer(shown), from = QPointer(&from), steps = *steps.value](app::Session* opened) {
-            if (shown && opened)
-                play(*shown, from, steps);
-        });
+    shown->files().openMade(std::move(drawing), Text::tr("Shown: %1").arg(page.title),
+                            [shown = QPointer(shown), from = QPointer(&from),
+                             steps = *steps.value](app::Session* opened) {
+                                if (shown && opened)
+                                    play(*shown, from, steps);
+                            });
     return {};
 }
 

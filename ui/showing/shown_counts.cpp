@@ -20,8 +20,8 @@ template <Container::Kind kind>
 double containers(const Window& window)
 {
     const app::Containers& all = window.session().now().containers();
-    return double(std::ranges::count_if(
-        all.inOrder(), [&](app::ContainerId id) { return all[id].kind == kind; }));
+    return double(std::ranges::count_if(all.inOrder(),
+                                        [&](app::ContainerId id) { return all[id].kind == kind; }));
 }
 
 double paths(const Window& window)
@@ -78,17 +78,18 @@ std::span<const ShownCount> shownCounts()
                    [](const Window& w) {
                        return double(w.session().now().windows().keep == app::Keep::Outside);
                    }},
-        ShownCount{"guides",
-                   [](const Window& w) {
-                       return double(w.session().now().page().guides.list.size());
-                   }},
+        ShownCount{
+            "guides",
+            [](const Window& w) { return double(w.session().now().page().guides.list.size()); }},
         ShownCount{"page-width",
                    [](const Window& w) {
                        return std::round(app::millimetresOf(w.session().now().page()).x);
                    }},
-        ShownCount{"grid", [](const Window& w) { return double(w.session().display().grid.shown); }},
+        ShownCount{"grid",
+                   [](const Window& w) { return double(w.session().display().grid.shown); }},
         ShownCount{"snapping", [](const Window& w) { return double(w.canvas().snaps()); }},
-        ShownCount{"overlay", [](const Window& w) { return double(w.session().display().overlay); }},
+        ShownCount{"overlay",
+                   [](const Window& w) { return double(w.session().display().overlay); }},
         ShownCount{"panes", [](const Window& w) { return double(w.canvas().panes().size()); }},
         ShownCount{"algorithm", algorithm},
         ShownCount{"zoom", [](const Window& w) { return std::round(100 * w.canvas().zoom()); }},

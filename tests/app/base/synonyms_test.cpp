@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/synonyms.h"
 #include "app/base/name_match.h"
+#include "app/base/synonyms.h"
 
 #include <QTest>
 
@@ -37,7 +37,8 @@ private slots:
         QVERIFY(app::matchName("erase", "Delete"));
         QVERIFY(!app::matchName("turn", "Delete"));
         // What is typed comes before what it means.
-        QCOMPARE(app::matchName("box", "Rectangle, or box")->letters, (QList<qsizetype>{14, 15, 16}));
+        QCOMPARE(app::matchName("box", "Rectangle, or box")->letters,
+                 (QList<qsizetype>{14, 15, 16}));
     }
 };
 

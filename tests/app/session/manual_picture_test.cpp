@@ -13,7 +13,7 @@ namespace session_manual_picture_test {
 namespace {
 
 const app::ThumbnailColours colours{Qt::white, Qt::red, 0.3};
-const app::DiscLook discs{Qt::blue, Qt::yellow, QFont()};
+const app::DiscLook discs{Qt::blue, Qt::yellow, Qt::green, QFont()};
 
 QStringList addresses(const app::ManualPage& page)
 {
@@ -38,10 +38,10 @@ private slots:
         QCOMPARE(picture->discs[0].number, 1);
         QCOMPARE(picture->discs[0].at, QPointF(0.25, 0.5));
         QVERIFY(app::manualPicture("sample:rosette")->discs.empty());
-        for (const char* wrong : {"", "landscape", "sample:", "sample:none", "figure:cs",
-                                  "sample:rosette?a=1,2", "sample:rosette?1=1", "sample:rosette?1=x,2",
-                                  "sample:rosette?1=101,2", "sample:rosette?0=1,2",
-                                  "sample:rosette?99=1,2", "sample:rosette?1=nan,2"})
+        for (const char* wrong :
+             {"", "landscape", "sample:", "sample:none", "figure:cs", "sample:rosette?a=1,2",
+              "sample:rosette?1=1", "sample:rosette?1=x,2", "sample:rosette?1=101,2",
+              "sample:rosette?0=1,2", "sample:rosette?99=1,2", "sample:rosette?1=nan,2"})
             QVERIFY2(!app::manualPicture(wrong), wrong);
     }
 
@@ -57,6 +57,7 @@ private slots:
             };
             QCOMPARE(at(0.25, 0.5 + 9.0 / points.height()), QColor(Qt::blue)); // below the figure
             QVERIFY(at(0.5, 0.5) != QColor(Qt::blue));
+            QCOMPARE(at(0, 0.5), QColor(Qt::green));
         }
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/teaching/shown_steps.h"
 #include "app/teaching/manual.h"
+#include "app/teaching/shown_steps.h"
 
 #include <QTest>
 
@@ -66,7 +66,8 @@ private slots:
               "ends a b", "click 1,2 3,4", "\"only said\""})
             QTest::newRow(line) << QString("new\n") + line + end << QString(line);
         QTest::newRow("place") << "somewhere else" + end << "somewhere else";
-        QTest::newRow("behind the end") << "new\nclick 1,2" + end + "\nclick 3,4" << "click 3,4";
+        QTest::newRow("behind the end") << "new\nclick 1,2" + end + "\nclick 3,4"
+                                        << "click 3,4";
         QTest::newRow("endless line")
             << "new\ntype " + QString(5000, u'a') + end << "type " + QString(75, u'a');
         QTest::newRow("endless list")
@@ -104,7 +105,7 @@ private slots:
                 continue;
             const auto read = app::shownSteps(page->shows);
             QVERIFY2(read, qPrintable(topic + ": " + read.error));
-            QVERIFY(!app::placeOfSteps(page->shows).isEmpty());
+            QVERIFY(!app::placeOfSteps(page->shows, app::newDrawing()).isEmpty());
             ++pages;
         }
         QVERIFY(pages > 30);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/showing/show_steps.h"
 #include "app/base/text.h"
 #include "app/session/samples.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/explanation/page_view.h"
 #include "ui/showing/show_bar.h"
+#include "ui/showing/show_steps.h"
+#include "ui/showing/shown_commands.h"
 #include "ui/showing/shown_counts.h"
 #include "ui/showing/step_player.h"
 #include "ui/widgets/sheet.h"
@@ -75,8 +76,8 @@ void pointAt(MainWindow& window, const app::ShownStep& step)
     if (step.points.empty() || step.kind == app::ShownStep::Kind::Move)
         return;
     const app::Page& page = window.session().now().page();
-    const app::Point at = window.canvas().view().toScreen(
-        page.min + step.points.front() / page.millimetresPerUnit());
+    const app::Point at =
+        window.canvas().view().toScreen(page.min + step.points.front() / page.millimetresPerUnit());
     const QPointF place(std::round(at.x), std::round(at.y));
     QWidget& area = *window.canvas().focusProxy();
     QMouseEvent event(QEvent::MouseMove, place, area.mapToGlobal(place), Qt::NoButton, {},
@@ -197,14 +198,16 @@ private slots:
     {
         QTest::addColumn<QString>("steps");
         QTest::addColumn<QString>("why");
-        for (const char* key : {"no-such-command", "save", "quit", "print", "copy", "theme-1", "help",
-                                "settings", "hard-cases", "full-screen"})
+        for (const char* key : {"no-such-command", "save", "quit", "print", "copy", "theme-1",
+                                "help", "settings", "hard-cases", "full-screen"})
             QTest::newRow(key) << QString("new\ncommand %1\nends objects 1").arg(key)
                                << QString("it has no command \"%1\" to show.").arg(key);
-        QTest::newRow("count") << "new\nclick 1,2\nends money +1" << "\"money\" cannot be counted.";
+        QTest::newRow("count") << "new\nclick 1,2\nends money +1"
+                               << "\"money\" cannot be counted.";
         QTest::newRow("sample") << "no-sample\nclick 1,2\nends objects 1"
                                 << "there is no sample \"no-sample\".";
-        QTest::newRow("damaged") << "new\ncl" << "\"cl\" is not understood.";
+        QTest::newRow("damaged") << "new\ncl"
+                                 << "\"cl\" is not understood.";
     }
     void whatCannotBeShownIsSaid()
     {
@@ -215,6 +218,19 @@ private slots:
         QCOMPARE(shown.home.desk->count(), 1);
     }
 
+    void withoutRoomForADrawingItIsSaid()
+    {
+        TestDesk home;
+        home.desk->setMost(1);
+        MainWindow& own = home.desk->current();
+        QCOMPARE(showSteps(own, pageOf("new\nclick 1,2\nends objects +0")), QString());
+        QCOMPARE(home.desk->count(), 1);
+        QVERIFY(own.message().contains("no more can be"));
+        TestWindow alone;
+        QVERIFY(showSteps(*alone.window, pageOf("new\nclick 1,2\nends objects +0"))
+                    .contains("no place for a further drawing"));
+    }
+
     // Keys that a page types run no command that leaves the drawing.
     void typedKeysDoNotLeaveTheDrawing()
     {
@@ -223,7 +239,8 @@ private slots:
         for (const char* key : {"save", "quit", "copy", "close"})
             connect(shown.window->findChild<QAction*>(key), &QAction::triggered, this,
                     [&] { ++commands; });
-        playAll(*shown.player, *shown.window, [](std::size_t) {}, [](std::size_t) {});
+        playAll(
+            *shown.player, *shown.window, [](std::size_t) {}, [](std::size_t) {});
         QCOMPARE(commands, 0);
         QCOMPARE(shown.home.desk->count(), 2);
     }
@@ -231,7 +248,8 @@ private slots:
     void escAndClicksStop()
     {
         for (const bool byKey : {true, false}) {
-            Shown shown(pageOf("new\ncommand tool-line\nclick 50,50\nclick 90,50\nends objects +1"));
+            Shown shown(
+                pageOf("new\ncommand tool-line\nclick 50,50\nclick 90,50\nends objects +1"));
             QVERIFY(shown.player->isPlaying());
             QWidget* area = shown.window->canvas().focusProxy();
             if (byKey)
@@ -271,7 +289,8 @@ private slots:
     {
         Shown shown(pageOf("new\ncommand workspace-draw\ncommand tool-line\nclick 50,50\n"
                            "click 90,50\ncommand snap\nends objects +1"));
-        playAll(*shown.player, *shown.window, [](std::size_t) {}, [](std::size_t) {});
+        playAll(
+            *shown.player, *shown.window, [](std::size_t) {}, [](std::size_t) {});
         QCOMPARE(shown.window->session().now().objects().size(), 1U);
         auto* close = shown.window->findChild<MessageStrip*>()->findChild<QPushButton*>();
         QCOMPARE(close->text(), QString("Close this drawing"));
@@ -298,6 +317,9 @@ private slots:
         settle(home.desk->current());
         QCOMPARE(home.desk->count(), 2);
         QVERIFY(home.desk->current().findChild<StepPlayer*>()->isPlaying());
+        QVERIFY(!help->isVisible()); // it would cover the drawing
+        home.desk->showTab(0);
+        QTRY_VERIFY(help->isVisible());
     }
 };
 
