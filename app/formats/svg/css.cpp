@@ -5,6 +5,7 @@
 #include "app/formats/svg/media.h"
 #include "app/formats/svg/report.h"
 #include "app/formats/svg/scanner.h"
+#include "app/formats/svg/supports.h"
 
 #include <algorithm>
 #include <array>
@@ -223,8 +224,10 @@ private:
             return;
         if (isName("@import"))
             return readImport(before, trimmed(before.substr(name.size())), depth);
-        const auto applies =
-            isName("@media") ? appliesToScreens(before.substr(name.size())) : std::nullopt;
+        const auto condition = before.substr(name.size());
+        const auto applies = isName("@media")      ? appliesToScreens(condition)
+                             : isName("@supports") ? isSupported(condition)
+                                                   : std::nullopt;
         if (!applies || depth == deepest)
             tell(before);
         else if (*applies)
@@ -246,7 +249,7 @@ private:
 
     void addRules(std::string_view selectors, std::string_view body)
     {
-        sheet_.bodies_.push_back(parseDeclarations(body));
+        sheet_.bodies_.push_back(parseDeclarations(withoutNestedRules(body)));
         for (const std::string_view one : selectorsIn(selectors)) {
             auto selector = parseSelector(one);
             if (!selector) {
@@ -259,11 +262,32 @@ private:
         }
     }
 
+    // Rules in rules are told, and taken away from the declarations around them.
+    std::string_view withoutNestedRules(std::string_view body)
+    {
+        if (body.find('{') == body.npos)
+            return body;
+        std::string plain;
+        while (!body.empty()) {
+            const auto end = findOutside(body, "{;");
+            if (end < body.size() && body[end] == '{') {
+                tell(trimmed(body.substr(0, end)));
+                body.remove_prefix(endOfBlock(body, end));
+            } else {
+                plain += body.substr(0, end + 1);
+                body.remove_prefix(std::min(end + 1, body.size()));
+            }
+        }
+        return sheet_.texts_.emplace_back(std::move(plain));
+    }
+
     void tell(std::string_view rule)
     {
         const std::string& text = *text_;
         const auto at = std::size_t(rule.data() - text.data());
-        line_ += std::count(text.begin() + counted_, text.begin() + std::ptrdiff_t(at), '\n');
+        const auto place = text.begin() + std::ptrdiff_t(at), counted = text.begin() + counted_;
+        line_ +=
+            counted < place ? std::count(counted, place, '\n') : -std::count(place, counted, '\n');
         counted_ = std::ptrdiff_t(at);
         report_.turnTo(line_);
         report_.add(losses::styleRule, rule);
