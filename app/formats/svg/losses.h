@@ -176,6 +176,13 @@ inline constexpr LossKind attribute{QT_TRANSLATE_NOOP("Text", "use of the attrib
                                     nullptr,
                                     nullptr,
                                     true};
+inline constexpr LossKind unknownAttribute{
+    QT_TRANSLATE_NOOP("Text", "attribute %1 that SVG does not have was ignored"),
+    QT_TRANSLATE_NOOP("Text", "attributes %1 that SVG does not have were ignored"),
+    true,
+    nullptr,
+    nullptr,
+    true};
 inline constexpr LossKind value{QT_TRANSLATE_NOOP("Text", "value %1 that is not understood"),
                                 QT_TRANSLATE_NOOP("Text", "values %1 that are not understood"),
                                 false,

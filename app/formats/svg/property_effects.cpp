@@ -49,6 +49,7 @@ constexpr auto withoutEffect = std::to_array<std::string_view>({
     "line*",
     "quotes",
     "ruby*",
+    "shape-image-threshold",
     "shape-margin",
     "shape-outside",
     "shape-padding",

@@ -48,9 +48,6 @@ namespace {
 
 constexpr std::string_view styleName = "style", fontName = "font";
 
-// Attributes that change the picture, and are neither properties nor read elsewhere.
-constexpr std::array<std::string_view, 1> lostAttributes{"onload"};
-
 bool isFontSize(const Property& property)
 {
     return property.name == fontName || property.name == "font-size";
@@ -74,11 +71,15 @@ Styles::Styles(const Tree& tree, Report& report)
     : tree_(tree), report_(report), sheet_(tree, report)
 {
     for (std::uint32_t name = 0; name < tree.nameCount(); ++name) {
-        const Property* const property = findProperty(tree.nameOf(name));
-        const bool isAttribute = property && property->attribute != Property::Attribute::Other;
-        attributes_.push_back({isAttribute ? property : nullptr,
-                               std::ranges::count(lostAttributes, tree.nameOf(name)) > 0,
-                               tree.nameOf(name) == styleName});
+        using Kind = AttributeEffect::Kind;
+        const std::string& text = tree.nameOf(name);
+        const Property* property = findProperty(text);
+        if (property && property->attribute == Property::Attribute::Other)
+            property = nullptr;
+        const AttributeEffect effect = effectOf(text);
+        const bool isTold =
+            !property && (effect.kind == Kind::Lost || effect.kind == Kind::Unknown);
+        attributes_.push_back({property, effect, isTold, text == styleName});
     }
 }
 
@@ -157,15 +158,25 @@ void Styles::applyAttributes(Cascade& cascade)
 {
     for (auto attribute = tree_.begin(cascade.node); attribute != tree_.last(cascade.node);
          ++attribute) {
-        const auto& [property, isLost, isStyle] = attributes_[attribute->name];
-        if (isLost && !cascade.ofFonts)
-            report_.add(losses::attribute, tree_.nameOf(attribute->name));
+        const auto& [property, effect, isTold, isStyle] = attributes_[attribute->name];
+        if (isTold && !cascade.ofFonts)
+            tell(effect, tree_.nameOf(attribute->name), tree_.valueOf(*attribute));
         if (!property || isFontSize(*property) != cascade.ofFonts)
             continue;
         const auto value = trimmed(uncommented(*attribute));
         if (property->attribute == Property::Attribute::Same || usesVariables(value))
             set(cascade, *property, value, false);
     }
+}
+
+void Styles::tell(const AttributeEffect& effect, std::string_view name, std::string_view value)
+{
+    const bool isLost = effect.kind == AttributeEffect::Kind::Lost;
+    const bool isPlain = std::ranges::any_of(wordsOf(effect.without), [&](std::string_view word) {
+        return equalsIgnoringCase(word, trimmed(value));
+    });
+    if (!isPlain)
+        report_.add(isLost ? losses::attribute : losses::unknownAttribute, name);
 }
 
 void Styles::apply(Cascade& cascade, const Declaration& declaration)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/style_table.h"
+#include "app/formats/svg/attribute_effects.h"
 #include "app/formats/svg/css.h"
 #include "app/formats/svg/length.h"
 #include "app/formats/svg/text_style.h"
@@ -111,7 +112,8 @@ private:
     /// How an attribute is treated, by its name.
     struct Attribute {
         const Property* property; ///< null: none
-        bool isLost;              ///< it changes the picture, but is not evaluated
+        AttributeEffect effect;   ///< without property
+        bool isTold;              ///< whether a use may be reported
         bool isStyle;
     };
 
@@ -121,6 +123,7 @@ private:
     void applyVariables(Cascade& cascade);
     void applyAttributes(Cascade& cascade);
     void apply(Cascade& cascade, const Declaration& declaration);
+    void tell(const AttributeEffect& effect, std::string_view name, std::string_view value);
     void set(Cascade& cascade, const Property& property, std::string_view value, bool isCss);
 
     /// How a declaration of CSS is treated, by its name.
