@@ -6,6 +6,7 @@
 #include <QFont>
 #include <QGlyphRun>
 #include <QRawFont>
+#include <QtEndian>
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,46 @@ QFont lineFontOf(const LineFont& font, double pixelsPerUnit, qsizetype letters =
     return made;
 }
 
+/// A signed number of a table of the font, in shares of the em; 0 if it has none.
+double numberOf(const QRawFont& font, const char* table, qsizetype at)
+{
+    const QByteArray bytes = font.fontTable(table);
+    const double units = font.unitsPerEm();
+    return bytes.size() >= at + 2 && units > 0
+               ? qFromBigEndian<qint16>(bytes.constData() + at) / units
+               : 0;
+}
+
+LineMeasures measuresOfUnit(const QRawFont& font)
+{
+    constexpr qsizetype subscriptOffset = 16, superscriptOffset = 24, strikeOutPosition = 28;
+    constexpr double usualThickness = 0.05, usualSub = 0.2, usualSuper = 1.0 / 3; // CSS Inline 3
+    constexpr double unit = 1.0 / pixelsPerEm;
+    LineMeasures made{font.ascent() * unit, font.descent() * unit, capitalOf(font) * unit,
+                      font.xHeight() * unit};
+    const double thickness = numberOf(font, "post", 10);
+    made.thickness = thickness > 0 ? thickness : usualThickness;
+    made.underline = numberOf(font, "post", 8);
+    if (made.underline == 0)
+        made.underline = -0.1;
+    made.strikeOut = numberOf(font, "OS/2", strikeOutPosition);
+    if (made.strikeOut <= 0)
+        made.strikeOut = made.xHeight / 2;
+    const double above = numberOf(font, "OS/2", superscriptOffset);
+    const double below = numberOf(font, "OS/2", subscriptOffset);
+    made.superscript = above > 0 ? above : usualSuper;
+    made.subscript = -(below > 0 ? below : usualSub);
+    return made;
+}
+
+// Whether a glyph without outline is neither a blank nor of no width: a picture.
+bool isSeen(const QRawFont& font, quint32 glyph)
+{
+    static const QString blankLetters = QStringLiteral(" \u00a0\u2002\u2003\u2009\u3000");
+    return glyph != 0 && font.advancesForGlyphIndexes({glyph}).first().x() > 0
+           && !font.glyphIndexesForString(blankLetters).contains(glyph);
+}
+
 double largestSize(std::span<const TextLine::Span> spans)
 {
     double size = 0;
@@ -52,19 +93,18 @@ const LineFonts::Known& LineFonts::known(const LineFont& font)
     if (isNew) {
         const QRawFont raw = QRawFont::fromFont(
             lineFontOf({font.family, font.weight, font.italic, false, 1}, pixelsPerEm));
-        constexpr double unit = 1.0 / pixelsPerEm;
-        at->second = {{raw.ascent() * unit, raw.descent() * unit, capitalOf(raw) * unit,
-                       raw.xHeight() * unit},
-                      raw.familyName()};
+        at->second = {measuresOfUnit(raw), raw.familyName()};
     }
     return at->second;
 }
 
-LineMeasures LineFonts::measuresOf(const LineFont& font)
+LineMeasures LineFonts::measuresOf(const LineFont& font) { return known(font).ofUnit * font.size; }
+
+LineMeasures operator*(const LineMeasures& m, double scale)
 {
-    const LineMeasures& unit = known(font).ofUnit;
-    return {unit.ascent * font.size, unit.descent * font.size, unit.capital * font.size,
-            unit.xHeight * font.size};
+    return {m.ascent * scale,    m.descent * scale,     m.capital * scale,
+            m.xHeight * scale,   m.underline * scale,   m.strikeOut * scale,
+            m.thickness * scale, m.superscript * scale, m.subscript * scale};
 }
 
 const QString& LineFonts::familyOf(const LineFont& font) { return known(font).family; }
@@ -146,6 +186,8 @@ LineLetters TextLine::letters(qsizetype first, qsizetype count)
                 });
                 result.paths.push_back(std::move(path));
             }
+            if (glyphs.glyph(font, indexes[i]).empty() && isSeen(font, indexes[i]))
+                ++result.pictures;
             if (indexes[i] == 0)
                 result.missing << text_.mid(first, count).simplified();
         }

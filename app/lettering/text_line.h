@@ -31,7 +31,11 @@ struct LineFont {
 /// Heights above the baseline; `descent` below it.
 struct LineMeasures {
     double ascent = 0, descent = 0, capital = 0, xHeight = 0;
+    double underline = 0, strikeOut = 0; ///< the middles of lines under and through the letters
+    double thickness = 0;                ///< of these lines
+    double superscript = 0, subscript = 0;
 };
+LineMeasures operator*(const LineMeasures& measures, double scale);
 
 /// What is known of fonts, shared by the lines of a drawing: looking it up takes longer than laying
 /// out a line. To be used in one thread.
@@ -56,6 +60,7 @@ private:
 struct LineLetters {
     std::vector<Subpath> paths{};
     QStringList missing{}; ///< characters that no font has; boxes stand in their places
+    int pictures = 0;      ///< letters that are pictures in their font, and have no outline
     bool ofOneFont = true; ///< no letter is taken from another font than the one that was asked for
 };
 

@@ -44,6 +44,13 @@ inline constexpr LossKind letter{QT_TRANSLATE_NOOP("Text", "letter %1 that no in
                                  QT_TRANSLATE_NOOP("Text", "letters %1 that no installed font has"),
                                  false, QT_TRANSLATE_NOOP("Text", "a box stands in its place"),
                                  QT_TRANSLATE_NOOP("Text", "boxes stand in their places")};
+inline constexpr LossKind pictureLetter{
+    QT_TRANSLATE_NOOP("Text", "letter that is a picture in its font"),
+    QT_TRANSLATE_NOOP("Text", "letters that are pictures in their fonts")};
+inline constexpr LossKind smallCapitals{
+    QT_TRANSLATE_NOOP("Text", "use of small capitals was drawn with capitals made smaller"),
+    QT_TRANSLATE_NOOP("Text", "uses of small capitals were drawn with capitals made smaller"),
+    true};
 inline constexpr LossKind offPath{
     QT_TRANSLATE_NOOP("Text", "text was cut off where its path ends"),
     QT_TRANSLATE_NOOP("Text", "texts were cut off where their paths end"), true};

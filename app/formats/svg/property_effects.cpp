@@ -45,7 +45,6 @@ constexpr auto withoutEffect = std::to_array<std::string_view>({
     "hanging-punctuation",
     "hyphen*",
     "initial-letter*",
-    "kerning",
     "line*",
     "quotes",
     "ruby*",

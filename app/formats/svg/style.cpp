@@ -30,6 +30,7 @@ Properties Properties::inherited() const
     child.shape.clear();
     child.alignment = {};
     child.baselineShift = 0;
+    child.script = Script::None;
     child.text.linesAround |= child.text.lines;
     child.text.lines = 0;
     return child;

@@ -84,6 +84,8 @@ struct Properties {
     std::vector<ShapeValue> shape{};
     std::string_view alignment{}; ///< of a part of a text: the line that lies on that of the rest
     double baselineShift = 0;     ///< of a part of a text, upwards
+    enum class Script : std::uint8_t { None, Above, Below };
+    Script script = Script::None; ///< whether it is as high as the font says
 
     bool longDashes = false; ///< whether a pattern longer than mostDashes was dropped
 

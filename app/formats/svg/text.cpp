@@ -44,37 +44,22 @@ Recipe textRecipe(const LaidLetters& letters, const LineFont& font, double capit
                       .face = face};
 }
 
-Subpath bar(const Point& min, const Point& max)
-{
-    return {min, {{{max.x, min.y}}, {max}, {{min.x, max.y}}}, true};
-}
-
-// The lines under, over and through letters.
-std::vector<Subpath> linesOf(const LaidLetters& letters, const LineFont& font, std::uint8_t lines)
-{
-    constexpr double thickness = 0.05; // of the font's size
-    struct Line {
-        std::uint8_t kind;
-        double below; // of the baseline, in sizes of the font
-    };
-    std::vector<Subpath> bars;
-    for (const auto& [kind, below] :
-         {Line{TextStyle::underline, 0.1}, Line{TextStyle::overline, -0.85},
-          Line{TextStyle::lineThrough, -0.28}})
-        if (lines & kind)
-            bars.push_back(bar(letters.at + Point{0, below * font.size},
-                               letters.at + Point{letters.width, (below + thickness) * font.size}));
-    return bars;
-}
-
 } // namespace
 
+/// A line under, over or through letters, in the style of the element that asks for it.
+struct TreeDrawer::TextLineStyle {
+    Place place{};
+    LineMeasures measures{};
+};
+
 struct TreeDrawer::Texts {
+    using Lines = std::array<std::shared_ptr<const TextLineStyle>, 3>;
     TextContent content{};
     std::vector<TextRun> runs{};
     std::vector<Place> places{};     ///< of the runs
     std::vector<QString> replaced{}; ///< of the runs: "Arial → DejaVu Sans", or ""
     std::vector<TextFit> fits{};
+    std::vector<Lines> lines{}; ///< of the runs: under, over and through their letters
 };
 
 void TreeDrawer::drawText(Node node, const Place& around)
@@ -98,22 +83,39 @@ void TreeDrawer::drawText(Node node, const Place& around)
                        .title = std::exchange(own.title, {}),
                        .description = std::exchange(own.description, {})});
     for (const LaidLetters& letters : parts.letters) {
+        drawLine(letters, texts, TextLineKind::Under);
+        drawLine(letters, texts, TextLineKind::Over);
         drawLetters(letters, texts, std::exchange(own, {}));
-        const Place& run = texts.places[letters.run];
-        const TextStyle& style = run.properties.text;
-        for (Subpath& line :
-             linesOf(letters, texts.runs[letters.run].font, style.lines | style.linesAround))
-            addShape({placed({{std::move(line)}}, run.matrix)}, run, {});
+        drawLine(letters, texts, TextLineKind::Through);
     }
     if (grouped)
         content_.close();
 }
 
+void TreeDrawer::drawLine(const LaidLetters& letters, const Texts& texts, TextLineKind kind)
+{
+    const auto& line = texts.lines[letters.run][std::size_t(kind)];
+    if (!line)
+        return;
+    const LineMeasures& high = line->measures;
+    const double middle = kind == TextLineKind::Under  ? high.underline
+                          : kind == TextLineKind::Over ? high.ascent
+                                                       : high.strikeOut;
+    const Place& run = texts.places[letters.run];
+    Place place = line->place;
+    place.matrix = run.matrix;
+    place.clips = run.clips;
+    for (const LetterCell& cell : letters.cells) {
+        Subpath bar = cell.box(-middle - high.thickness / 2, -middle + high.thickness / 2);
+        addShape({placed({{std::move(bar)}}, place.matrix)}, place, {});
+    }
+}
+
 bool TreeDrawer::hasLines(const TextParts& parts, const Texts& texts)
 {
     return std::ranges::any_of(parts.letters, [&](const LaidLetters& letters) {
-        const TextStyle& style = texts.places[letters.run].properties.text;
-        return (style.lines | style.linesAround) != 0;
+        return std::ranges::any_of(texts.lines[letters.run],
+                                   [](const auto& line) { return line != nullptr; });
     });
 }
 
@@ -127,8 +129,14 @@ void TreeDrawer::drawLetters(const LaidLetters& letters, const Texts& texts, Par
 
 void TreeDrawer::addBoundsOfText(Node node, const Place& place, ElementBounds& bounds)
 {
-    for (const Subpath& path : letterPaths(node, place))
-        include(bounds, path);
+    Texts texts;
+    for (const LaidLetters& letters : textParts(node, place, texts).letters) {
+        const LineMeasures high = lineFonts_.measuresOf(texts.runs[letters.run].font);
+        for (const LetterCell& cell : letters.cells)
+            for (const Subpath& box :
+                 placed({{cell.box(-high.ascent, high.descent)}}, place.matrix))
+                include(bounds, box);
+    }
 }
 
 // The letters of a text in the coordinates of `place.matrix`, whatever their styles.
@@ -148,9 +156,7 @@ TextParts TreeDrawer::textParts(Node node, const Place& place, Texts& texts)
     collectText(node, place, {}, texts);
     texts.content.trimEnd();
     const qsizetype count = texts.content.text().size();
-    letters_ += std::size_t(count);
-    if (letters_ > mostLetters)
-        throw Refused{Text::tr("exceeds the limit of %1 letters of texts.").arg(mostLetters)};
+    countLetters(std::size_t(count));
     for (TextFit& fit : texts.fits)
         fit.end = std::min(fit.end, count);
     std::erase_if(texts.fits, [](const TextFit& fit) { return fit.end <= fit.first; });
@@ -160,15 +166,24 @@ TextParts TreeDrawer::textParts(Node node, const Place& place, Texts& texts)
     for (const QString& missing : parts.missing)
         report_.add(losses::letter, missing.toStdString());
     report_.add(losses::offPath, parts.leavesPath);
+    report_.add(losses::pictureLetter, parts.pictures);
     for (const LaidLetters& letters : parts.letters) {
         const QString& replaced = texts.replaced[letters.run];
         if (!replaced.isEmpty())
             report_.add(losses::replacedFont, replaced.toStdString());
+        report_.add(losses::smallCapitals, texts.runs[letters.run].font.smallCapitals);
         const auto notEvaluated = texts.places[letters.run].properties.text.notEvaluated;
         if (!notEvaluated.empty())
             report_.add(losses::property, notEvaluated);
     }
     return parts;
+}
+
+void TreeDrawer::countLetters(std::size_t count)
+{
+    letters_ += count;
+    if (letters_ > mostLetters)
+        throw Refused{Text::tr("exceeds the limit of %1 letters of texts.").arg(mostLetters)};
 }
 
 // `place` is that of the element's content.
@@ -178,20 +193,22 @@ void TreeDrawer::collectText(Node node, const Place& place, const TextSpan& arou
     TextSpan span = around;
     if (!blanksAs.empty())
         span.keepsBlanks = blanksAs == "preserve";
+    addLines(place, span);
     const qsizetype first = texts.content.text().size();
     addRun(place, span, texts);
     const std::size_t run = texts.runs.size() - 1;
     for (const Node child : Children(tree_, node))
-        if (tree_.name(child) == textNode && texts.runs[run].font.size >= leastFontSize)
-            texts.content.append(inCase(QString::fromUtf8(tree_.attribute(child, textNode)),
-                                        place.properties.text.letterCase),
-                                 run, span.keepsBlanks || place.properties.text.keepsBlanks);
-        else if (tree_.name(child) != textNode)
+        if (tree_.name(child) == textNode)
+            appendText(child, run, span, texts);
+        else
             collectSpan(child, place, span, texts);
-    texts.content.place(tree_, node, first, place.lengths, report_);
+    if (tree_.name(node) != "textPath") // which has no positions of its own
+        texts.content.place(tree_, node, first, place.lengths, report_);
     const auto fit = tree_.attribute(node, "textLength");
-    if (const auto length = fit.empty() ? std::nullopt : place.lengths.x(fit);
-        length && *length > 0)
+    const auto length = fit.empty() ? std::nullopt : place.lengths.x(fit);
+    if (!fit.empty() && !(length && *length > 0))
+        report_.add(losses::attribute, "textLength");
+    else if (length)
         texts.fits.push_back({first, texts.content.text().size(), *length,
                               tree_.attribute(node, "lengthAdjust") == "spacingAndGlyphs"});
 }
@@ -199,24 +216,78 @@ void TreeDrawer::collectText(Node node, const Place& place, const TextSpan& arou
 void TreeDrawer::collectSpan(Node node, const Place& around, TextSpan span, Texts& texts)
 {
     const auto name = tree_.name(node);
-    if (name != "tspan" && name != "a" && name != "textPath") {
-        report_.add(losses::text, name == "tref" || name == "altGlyph");
+    if (name != "tspan" && name != "a" && name != "textPath" && name != "tref") {
+        report_.add(losses::text, name == "altGlyph");
         return;
     }
     refuseTooDeep(around);
     if (!isWanted(node))
         return;
     report_.turnTo(tree_.line(node));
-    const Matrix matrix = around.matrix;
-    Place place = inside(node, around);
-    place.matrix = matrix; // parts of a text have no transforms
+    Place place = styled(node, around);
+    place.matrix = around.matrix; // parts of a text have no transforms, opacities and clip paths
+    place.opacity = around.opacity;
     if (!place.properties.displayed)
         return;
-    reportEffects(place.properties, false);
-    span.raised += place.properties.baselineShift;
+    span.raised += place.properties.baselineShift + scriptShift(place.properties, around);
     if (name == "textPath" && !turnToPath(node, place, span))
         return;
-    collectText(node, place, span, texts);
+    if (name == "tref")
+        collectReferred(node, place, span, texts);
+    else
+        collectText(node, place, span, texts);
+}
+
+// How far sub- and superscripts are above the baseline, by the font around them.
+double TreeDrawer::scriptShift(const Properties& properties, const Place& around)
+{
+    using Script = Properties::Script;
+    if (properties.script == Script::None)
+        return 0;
+    const LineMeasures high = lineFonts_.measuresOf(lineFontOf(around.properties));
+    return properties.script == Script::Above ? high.superscript : high.subscript;
+}
+
+// The lines that an element asks for; those that elements around the text ask for have its style.
+void TreeDrawer::addLines(const Place& place, TextSpan& span)
+{
+    const TextStyle& style = place.properties.text;
+    for (const auto& [bit, kind] : {std::pair{TextStyle::underline, TextLineKind::Under},
+                                    {TextStyle::overline, TextLineKind::Over},
+                                    {TextStyle::lineThrough, TextLineKind::Through}}) {
+        auto& line = span.lines[std::size_t(kind)];
+        if ((style.lines & bit) || ((style.linesAround & bit) && !line))
+            line = std::make_shared<const TextLineStyle>(
+                TextLineStyle{place, lineFonts_.measuresOf(lineFontOf(place.properties))});
+    }
+}
+
+// <tref>: the characters of another text, without its styles.
+void TreeDrawer::collectReferred(Node node, const Place& place, TextSpan span, Texts& texts)
+{
+    const Node target = tree_.findReference(hrefOf(tree_, node));
+    if (target == noNode)
+        return;
+    const qsizetype first = texts.content.text().size();
+    addLines(place, span);
+    addRun(place, span, texts);
+    for (Node each = target + 1; each < tree_.end(target); ++each) {
+        if (tree_.name(each) != textNode)
+            continue;
+        countLetters(tree_.attribute(each, textNode).size());
+        appendText(each, texts.runs.size() - 1, span, texts);
+    }
+    texts.content.place(tree_, node, first, place.lengths, report_);
+}
+
+// Adds a piece of text in the style of a run.
+void TreeDrawer::appendText(Node node, std::size_t run, const TextSpan& span, Texts& texts)
+{
+    const TextStyle& style = texts.places[run].properties.text;
+    if (texts.runs[run].font.size >= leastFontSize)
+        texts.content.append(
+            inCase(QString::fromUtf8(tree_.attribute(node, textNode)), style.letterCase), run,
+            span.keepsBlanks || style.keepsBlanks);
 }
 
 // False: there is no such path, so SVG does not draw the text either.
@@ -224,14 +295,17 @@ bool TreeDrawer::turnToPath(Node node, const Place& place, TextSpan& span)
 {
     const Node target = tree_.findReference(hrefOf(tree_, node));
     const OutlineKind* kind = target == noNode ? nullptr : findOutlineKind(tree_.name(target));
-    if (!kind) {
+    const auto data = tree_.attribute(node, "path"); // goes before a reference
+    if ((!kind && data.empty()) || span.path) {      // a path in a path is none either
         report_.add(losses::pathlessText);
         return false;
     }
     Place own;
     own.lengths = place.lengths;
-    own = styled(target, own);
-    auto paths = placed(outlineOf(*kind, target, own), own.matrix);
+    if (data.empty())
+        own = styled(target, own);
+    auto paths =
+        placed(data.empty() ? outlineOf(*kind, target, own) : parsePathData(data), own.matrix);
     if (tree_.attribute(node, "side") == "right") {
         std::ranges::reverse(paths);
         for (Subpath& path : paths)
@@ -239,7 +313,8 @@ bool TreeDrawer::turnToPath(Node node, const Place& place, TextSpan& span)
     }
     span.path = std::make_shared<const PathWalk>(paths);
     const double whole = span.path->length();
-    const auto given = Lengths().parse(tree_.attribute(target, "pathLength"), 0);
+    const auto counted = data.empty() ? tree_.attribute(target, "pathLength") : std::string_view();
+    const auto given = Lengths().parse(counted, 0);
     const auto text = tree_.attribute(node, "startOffset");
     const double offset = place.lengths.parse(text, whole).value_or(0);
     const bool counts = given && *given > 0 && !trimmed(text).ends_with('%');
@@ -251,13 +326,7 @@ void TreeDrawer::addRun(const Place& place, const TextSpan& span, Texts& texts)
 {
     const Properties& p = place.properties;
     const NamedFont& font = fontOf(p);
-    TextRun run{.font = {.family = font.family,
-                         .weight = p.text.weight,
-                         .italic = p.text.italic,
-                         .smallCapitals = p.text.smallCapitals,
-                         .size = p.fontSize,
-                         .letterSpacing = p.text.letterSpacing,
-                         .wordSpacing = p.text.wordSpacing},
+    TextRun run{.font = lineFontOf(p),
                 .anchor = p.text.anchor,
                 .rightToLeft = p.text.rightToLeft,
                 .path = span.path,
@@ -268,8 +337,20 @@ void TreeDrawer::addRun(const Place& place, const TextSpan& span, Texts& texts)
         run.lowered += depthOfBaseline(baseline, lineFonts_.measuresOf(run.font));
     texts.runs.push_back(std::move(run));
     texts.places.push_back(place);
+    texts.lines.push_back(span.lines);
     texts.replaced.push_back(
         font.missing.isEmpty() ? QString() : font.missing + QStringLiteral(" → ") + font.family);
+}
+
+LineFont TreeDrawer::lineFontOf(const Properties& p)
+{
+    return {.family = fontOf(p).family,
+            .weight = p.text.weight,
+            .italic = p.text.italic,
+            .smallCapitals = p.text.smallCapitals,
+            .size = p.fontSize,
+            .letterSpacing = p.text.letterSpacing,
+            .wordSpacing = p.text.wordSpacing};
 }
 
 const NamedFont& TreeDrawer::fontOf(const Properties& p)

@@ -31,8 +31,7 @@ void TextContent::append(const QString& text, std::size_t run, bool keepsBlanks)
 {
     for (const QChar each : text) {
         const bool blank = each == u' ' || each == u'\n' || each == u'\t' || each == u'\r';
-        const bool joins =
-            blank && !keepsBlanks && (text_.isEmpty() || (text_.back() == u' ' && !lastIsKept_));
+        const bool joins = blank && !keepsBlanks && (text_.isEmpty() || text_.back() == u' ');
         if (joins)
             continue;
         text_ += blank ? QChar(u' ') : each;
@@ -64,7 +63,10 @@ void TextContent::place(const Tree& tree, Node node, qsizetype first, const Leng
             if (one.empty() && !(list.repeats && !std::isnan(last)))
                 break;
             if (!one.empty()) {
-                const auto number = lengths.parse(one, lengths.viewport[list.axis]);
+                const bool hasUnit =
+                    list.repeats && one.find_first_not_of("0123456789.eE+-") != one.npos;
+                const auto number =
+                    hasUnit ? std::nullopt : lengths.parse(one, lengths.viewport[list.axis]);
                 if (!number) {
                     report.add(losses::value, std::string(list.name) + ": " + std::string(one));
                     break;

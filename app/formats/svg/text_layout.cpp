@@ -21,6 +21,15 @@ Matrix turnedTo(const Point& at, const Point& along, const Point& from)
     return translation(at) * Matrix{along.x, along.y, -along.y, along.x, 0, 0} * translation(-from);
 }
 
+// Whether letters of this script are joined to each other, so that no gaps are between them.
+bool isJoined(QChar letter)
+{
+    const auto script = letter.script();
+    return script == QChar::Script_Arabic || script == QChar::Script_Syriac
+           || script == QChar::Script_Mongolian || script == QChar::Script_Nko
+           || script == QChar::Script_Devanagari || script == QChar::Script_Bengali;
+}
+
 /// Characters that are laid out together: from one absolute position to the next.
 struct Chunk {
     qsizetype first, end;
@@ -54,8 +63,8 @@ private:
         const auto path = runAt(first).path;
         while (end < content_.text().size() && end - first < longestText && runAt(end).path == path
                && (content_.text()[end].isLowSurrogate()
-                   || (!(isGiven(content_.placeOf(end).x) && !path)
-                       && !isGiven(content_.placeOf(end).y))))
+                   || (!isGiven(content_.placeOf(end).x)
+                       && (path || !isGiven(content_.placeOf(end).y)))))
             ++end;
         return end;
     }
@@ -65,6 +74,8 @@ private:
         std::vector<TextLine::Span> spans;
         for (qsizetype i = chunk.first; i < chunk.end; ++i) {
             LineFont font = runAt(i).font;
+            if (isJoined(content_.text()[i]))
+                font.letterSpacing = 0;
             font.letterSpacing += moreSpacing;
             if (spans.empty() || spans.back().font != font)
                 spans.push_back({0, std::move(font)});
@@ -170,10 +181,17 @@ private:
             left = std::min(left, piece.left + piece.shift.x);
             right = std::max(right, piece.right + piece.shift.x);
         }
+        right -= gapAfter(chunk.end - 1);
         const TextRun& run = runAt(chunk.first);
         if (run.anchor == Anchor::Middle)
             return -(left + right) / 2;
         return (run.anchor == Anchor::Start) == run.rightToLeft ? -right : -left;
+    }
+
+    // The spacing after a letter, which does not count as part of it.
+    double gapAfter(qsizetype index) const
+    {
+        return isJoined(content_.text()[index]) ? 0 : runAt(index).font.letterSpacing;
     }
 
     void setStraight(const Chunk& chunk, TextLine& line, double stretch)
@@ -197,20 +215,26 @@ private:
     {
         const auto pieces = piecesOf(chunk, line, stretch);
         const TextRun& run = runAt(chunk.first);
-        const double begin = run.startOffset + anchored(chunk, pieces);
+        const LetterPlace& place = content_.placeOf(chunk.first);
+        const double from = isGiven(place.x) ? place.x : run.path == walked_ ? walkedTo_ : 0;
+        const double begin = run.startOffset + from + orZero(place.dx) + anchored(chunk, pieces);
         for (const Piece& piece : pieces) {
-            const double middle = (piece.left + piece.right) / 2;
+            const double gap = gapAfter(chunk.first + piece.end - 1);
+            const double middle = (piece.left + piece.right - gap) / 2;
             const auto step = run.path->at(begin + piece.shift.x + middle);
             parts_.leavesPath = parts_.leavesPath || !step;
             if (!step)
                 continue;
             const double angle = piece.turn * std::numbers::pi / 180;
-            const double across = piece.shift.y + runAt(chunk.first + piece.first).lowered;
+            const double across =
+                piece.shift.y + orZero(place.dy) + runAt(chunk.first + piece.first).lowered;
             const Matrix turned = turnedTo({}, {std::cos(angle), std::sin(angle)}, {});
             add(chunk, piece, line, stretch,
                 turnedTo(step->at, step->along, {middle, -across}) * translation({piece.left, 0})
                     * turned * translation({-piece.left, 0}));
         }
+        walked_ = run.path;
+        walkedTo_ = begin - run.startOffset + line.width() * stretch;
         if (const auto end = run.path->at(run.path->length()))
             pen_ = end->at;
     }
@@ -220,6 +244,7 @@ private:
     {
         LineLetters letters = line.letters(piece.first, piece.end - piece.first);
         parts_.missing << letters.missing;
+        parts_.pictures += letters.pictures;
         if (letters.paths.empty())
             return;
         for (Subpath& path : letters.paths)
@@ -230,7 +255,7 @@ private:
             content_.text().mid(chunk.first + piece.first, piece.end - piece.first);
         LaidLetters laid{std::move(letters.paths), content_.runOf(chunk.first + piece.first),
                          plain ? text : QString(), where({piece.left, 0}),
-                         piece.right - piece.left};
+                         piece.right - piece.left, {{where, piece.left, piece.right}}};
         if (!joins(laid))
             parts_.letters.push_back(std::move(laid));
     }
@@ -249,6 +274,7 @@ private:
             || !(std::abs(gap) <= near * size) || last.text.size() + laid.text.size() > longestText)
             return false;
         std::ranges::move(laid.paths, std::back_inserter(last.paths));
+        std::ranges::move(laid.cells, std::back_inserter(last.cells));
         last.text += laid.text;
         last.width = laid.at.x + laid.width - last.at.x;
         return true;
@@ -261,6 +287,8 @@ private:
     std::vector<bool> fitted_;
     TextParts parts_;
     Point pen_{};
+    std::shared_ptr<const PathWalk> walked_{}; ///< the path of the last chunk
+    double walkedTo_ = 0;                      ///< where that chunk ends on it
 };
 
 struct NamedBaseline {
@@ -295,6 +323,13 @@ double depthOfBaseline(std::string_view line, const LineMeasures& measures)
         return 0;
     return found->ascent * measures.ascent + found->descent * measures.descent
            + found->xHeight * measures.xHeight;
+}
+
+Subpath LetterCell::box(double top, double bottom) const
+{
+    Subpath path{{left, top}, {{{right, top}}, {{right, bottom}}, {{left, bottom}}}, true};
+    transform(path, where);
+    return path;
 }
 
 TextParts laidOut(const TextContent& content, const std::vector<TextRun>& runs,

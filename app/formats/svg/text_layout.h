@@ -31,6 +31,14 @@ struct TextFit {
     bool stretches = false; ///< the letters, too, not only the gaps between them
 };
 
+/// The place of letters on a line.
+struct LetterCell {
+    Matrix where{}; ///< from the line to the coordinates of the <text>
+    double left = 0, right = 0;
+    /// From `top` to `bottom` below the baseline.
+    Subpath box(double top, double bottom) const;
+};
+
 /// Letters of one run that stand on one straight line, in the coordinates of the <text>.
 struct LaidLetters {
     std::vector<Subpath> paths{};
@@ -38,12 +46,14 @@ struct LaidLetters {
     QString text{}; ///< that makes them again; empty: none does
     Point at{};     ///< the start of their baseline
     double width = 0;
+    std::vector<LetterCell> cells{};
 };
 
 struct TextParts {
     std::vector<LaidLetters> letters{};
     QStringList missing{};   ///< characters that no font has
     bool leavesPath = false; ///< whether letters lie beyond the ends of their path
+    int pictures = 0;        ///< letters without outlines
     int unfitted = 0;        ///< textLength attributes that were passed over
 };
 

@@ -153,22 +153,29 @@ bool setBaseline(Properties& p, Word text, const Given&)
 bool setDominantBaseline(Properties& p, Word text, const Given&)
 {
     const bool known = isOneOf(text, knownBaselines);
-    if (known)
+    if (known && !isOneOf(text, "no-change use-script reset-size"))
         p.text.baseline = isOneOf(text, "auto baseline") ? Word() : text;
     return known;
 }
 
-// Upwards, in user units; sub and super as browsers have it.
+// Upwards, in user units.
 bool setBaselineShift(Properties& p, Word text, const Given& given)
 {
-    constexpr double down = -0.2, up = 0.4; // of the font's size
-    const auto shift = meansWord(text, "baseline") ? 0
-                       : meansWord(text, "sub")    ? down * p.fontSize
-                       : meansWord(text, "super")  ? up * p.fontSize
-                                                   : given.lengths.parse(text, p.fontSize);
-    if (shift)
+    using Script = Properties::Script;
+    const bool isSub = meansWord(text, "sub"), isSuper = meansWord(text, "super");
+    const auto shift =
+        isSub || isSuper || meansWord(text, "baseline") ? 0 : given.lengths.parse(text, p.fontSize);
+    if (shift) {
         p.baselineShift = *shift;
+        p.script = isSub ? Script::Below : isSuper ? Script::Above : Script::None;
+    }
     return shift.has_value();
+}
+
+void copyBaselineShift(Properties& to, const Properties& from)
+{
+    to.baselineShift = from.baselineShift;
+    to.script = from.script;
 }
 
 bool setDecoration(Properties& p, Word text, const Given& given)
@@ -248,6 +255,7 @@ constexpr std::array notEvaluated{
     NotEvaluated{"glyph-orientation-horizontal", "0 0deg auto"},
     NotEvaluated{"glyph-orientation-vertical", "0 0deg auto"},
     NotEvaluated{"inline-size", "0 auto"},
+    NotEvaluated{"kerning", "auto"},
     NotEvaluated{"shape-inside", "none auto"},
     NotEvaluated{"text-combine-upright", "none"},
     NotEvaluated{"text-emphasis", "none"},
@@ -308,8 +316,7 @@ const std::array evaluated{
     letters<&Letters::letterCase>("text-transform", setCase),
     Property{"alignment-baseline", setBaseline<&Properties::alignment>,
              [](Properties& to, const Properties& from) { to.alignment = from.alignment; }},
-    Property{"baseline-shift", setBaselineShift,
-             [](Properties& to, const Properties& from) { to.baselineShift = from.baselineShift; }},
+    Property{"baseline-shift", setBaselineShift, copyBaselineShift},
 };
 
 } // namespace

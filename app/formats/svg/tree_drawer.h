@@ -134,23 +134,33 @@ private:
     void addViewportClip(const Box& viewport, Place& place);
 
     struct Texts;
+    struct TextLineStyle;
+    enum class TextLineKind : std::uint8_t { Under, Over, Through };
     /// What a part of a text inherits, beside its style.
     struct TextSpan {
         std::shared_ptr<const PathWalk> path{};
         double startOffset = 0;
         double raised = 0;
         bool keepsBlanks = false;
+        std::array<std::shared_ptr<const TextLineStyle>, 3> lines{};
     };
     void drawText(Node node, const Place& around);
     static bool hasLines(const TextParts& parts, const Texts& texts);
+    void drawLine(const LaidLetters& letters, const Texts& texts, TextLineKind kind);
+    double scriptShift(const Properties& properties, const Place& around);
+    void addLines(const Place& place, TextSpan& span);
     void drawLetters(const LaidLetters& letters, const Texts& texts, Particulars own);
     void addBoundsOfText(Node node, const Place& place, ElementBounds& bounds);
     std::vector<Subpath> letterPaths(Node node, const Place& place);
     TextParts textParts(Node node, const Place& place, Texts& texts);
     void collectText(Node node, const Place& place, const TextSpan& around, Texts& texts);
+    void collectReferred(Node node, const Place& place, TextSpan span, Texts& texts);
+    void appendText(Node node, std::size_t run, const TextSpan& span, Texts& texts);
+    void countLetters(std::size_t count);
     void collectSpan(Node node, const Place& around, TextSpan span, Texts& texts);
     bool turnToPath(Node node, const Place& place, TextSpan& span);
     void addRun(const Place& place, const TextSpan& span, Texts& texts);
+    LineFont lineFontOf(const Properties& properties);
     const NamedFont& fontOf(const Properties& properties);
 
     struct Image {

@@ -66,6 +66,7 @@ const std::map<std::string_view, const char*> samples{
     {"glyph-orientation-horizontal", "90deg"},
     {"glyph-orientation-vertical", "90deg"},
     {"inline-size", "9px"},
+    {"kerning", "0"},
     {"shape-inside", "url(#s)"},
     {"text-combine-upright", "all"},
     {"text-emphasis", "dot"},

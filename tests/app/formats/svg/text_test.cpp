@@ -260,6 +260,99 @@ private slots:
         QNEAR(bounds.width(), 2 * plain.width());
     }
 
+    // A box is as high as the font, whatever letters are in it.
+    void boxesOfLowAndHighLetters()
+    {
+        const auto cut = [](const QByteArray& letters) {
+            return boundsOf("<clipPath id='c' clipPathUnits='objectBoundingBox'>"
+                            "<path d='M0 0H9V.5H0z'/></clipPath><g clip-path='url(#c)'>"
+                            + text("y='50'", letters) + "</g>");
+        };
+        QCOMPARE(cut("Hg").max.y, cut("H").max.y);
+    }
+
+    void textsOfOtherTexts()
+    {
+        const QByteArray other = "<defs><text id='o'>o<tspan fill='red'>n</tspan>e</text></defs>";
+        QCOMPARE(textOf(documentOf(other + text("", "<tref xlink:href='#o'/>"))),
+                 textOf(documentOf(other + text("", "<tspan>one</tspan>"))));
+        QCOMPARE(countOf(other + text("", "<tref xlink:href='#gone'/>")), std::size_t(0));
+    }
+
+    // Each line has the paint of the element that asks for it.
+    void linesHaveTheStyleOfTheirElements()
+    {
+        const app::Document document =
+            documentOf("<text y='50' fill='red' text-decoration='underline'>a<tspan fill='blue' "
+                       "text-decoration='line-through'>b</tspan></text>");
+        std::vector<app::Colour> fills;
+        for (std::size_t i = 0; i < document.objects().size(); ++i)
+            fills.push_back(*document.objects()[i].style().fill);
+        const app::Colour red{255, 0, 0}, blue{0, 0, 255};
+        QVERIFY((fills == std::vector{red, red, red, blue, blue})); // _ a _ b -
+    }
+
+    void linesAreTurnedWithTheirLetters()
+    {
+        const Bounds level = boundsOf(text("y='50' text-decoration='underline'", "x"));
+        const Bounds turned = boundsOf(text("y='50' rotate='90' text-decoration='underline'", "x"));
+        QVERIFY(turned.max.y > 50 + 0.9 * level.width());
+        QVERIFY(turned.min.x < 0); // the line is on the left
+    }
+
+    // By the font around, not by their own.
+    void scriptsAreAsHighAsTheFontSays()
+    {
+        const auto topOf = [](const QByteArray& size) {
+            return boundsOf(text("y='50'", "<tspan baseline-shift='super' font-size='" + size
+                                               + "'>x</tspan>"))
+                .max.y;
+        };
+        QVERIFY(topOf("10") < 48);
+        QNEAR(topOf("5"), topOf("10"));
+    }
+
+    void positionsOnAPathAreAlongIt()
+    {
+        const auto leftOf = [](const QByteArray& attributes) {
+            return boundsOf("<text" + attributes + "><textPath path='M0 50H90'>x</textPath></text>")
+                .min.x;
+        };
+        QNEAR(leftOf(" x='20' y='7'"), leftOf("") + 20);
+        QNEAR(leftOf(" dx='5'"), leftOf("") + 5);
+        QNEAR(boundsOf("<text><textPath path='M0 50H90' x='9'>x</textPath></text>").min.x,
+              leftOf("")); // it has no positions of its own
+        const auto countIn = [](const QByteArray& content) {
+            return countOf("<text><textPath path='M0 50H90'>" + content + "</textPath></text>");
+        };
+        QCOMPARE(countIn("<textPath path='M0 9H90'>x</textPath>"), std::size_t(0));
+    }
+
+    void spacingAfterTheLastLetterDoesNotCount()
+    {
+        const Bounds plain = boundsOf(text("x='50' y='50' text-anchor='end'", "x"));
+        const Bounds spaced =
+            boundsOf(text("x='50' y='50' text-anchor='end' letter-spacing='9'", "x"));
+        QNEAR(spaced.min.x, plain.min.x);
+    }
+
+    void whatIsNotANumberOfDegreesIsTold()
+    {
+        QVERIFY(reportOf(text("rotate='5mm'", "x")).contains("“rotate: 5mm”"));
+        QNEAR(boundsOf(text("y='50' rotate='5mm'", "x")).max.y,
+              boundsOf(text("y='50'", "x")).max.y);
+    }
+
+    // SVG gives parts of a text neither opacity nor clip path.
+    void partsHaveNoEffects()
+    {
+        const QByteArray clip = "<clipPath id='c'><path d='M0 0H1V1z'/></clipPath>";
+        QCOMPARE(textOf(documentOf(clip
+                                   + text("", "<tspan clip-path='url(#c)' opacity='.5'>"
+                                              "one</tspan>"))),
+                 textOf(documentOf(clip + text("", "<tspan>one</tspan>"))));
+    }
+
     // The editor opens files in the background.
     void onOtherThreads()
     {
