@@ -71,7 +71,11 @@ using Rows = std::vector<std::pair<QString, QString>>;
 
 QString stateOf(const Container& container)
 {
-    return (container.visible ? QString() : Text::tr(", hidden"))
+    QString image;
+    if (const SharedUnderlay& under = container.underlay)
+        image =
+            Text::tr(", image of %1 × %2 pixels").arg(under->file->width).arg(under->file->height);
+    return image + (container.visible ? QString() : Text::tr(", hidden"))
            + (container.locked ? Text::tr(", locked") : QString());
 }
 

@@ -3,6 +3,7 @@
 
 #include <QBuffer>
 #include <QImageReader>
+#include <QLoggingCategory>
 
 #include <array>
 #include <optional>
@@ -21,6 +22,25 @@ const std::array kindsOfImages{
     KindOfImage{ImageFile::Kind::Jpeg, "jpeg", "\xff\xd8\xff"},
 };
 
+QLoggingCategory::CategoryFilter filterBefore = nullptr;
+
+/// Qt's readers print each fault of a file; this program tells it in its own words.
+void withoutImageFaults(QLoggingCategory* category)
+{
+    if (filterBefore)
+        filterBefore(category);
+    if (QByteArrayView(category->categoryName()).startsWith("qt.gui.imageio"))
+        category->setEnabled(QtWarningMsg, false);
+}
+
+void quietenReaders()
+{
+    [[maybe_unused]] static const bool once = [] {
+        filterBefore = QLoggingCategory::installFilter(withoutImageFaults);
+        return true;
+    }();
+}
+
 bool isTooLarge(const QSize& size)
 {
     return size.width() > ImageFile::mostSide || size.height() > ImageFile::mostSide
@@ -31,6 +51,7 @@ bool isTooLarge(const QSize& size)
 
 std::variant<std::shared_ptr<const ImageFile>, ImageFault> imageFileOf(QByteArray bytes)
 {
+    quietenReaders();
     for (const KindOfImage& kind : kindsOfImages) {
         if (!bytes.startsWith(kind.magic))
             continue;

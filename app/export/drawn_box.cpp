@@ -102,6 +102,9 @@ void addSubpath(Box& box, const Subpath& path, const Style& style, double tolera
 std::optional<clipping::Window> drawnBox(const Document& document)
 {
     Box box;
+    for (const SeenUnderlay& image : seenUnderlays(document))
+        for (const Point& corner : outlineOf(*image.underlay))
+            box.add(corner, 0);
     const double tolerance = usualTolerance(document.page());
     const ObjectRanges hidden = hiddenObjects(document);
     const Objects& objects = document.objects();

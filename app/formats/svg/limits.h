@@ -46,7 +46,7 @@ constexpr std::size_t mostClipChords = 1'000'000;   ///< of one clip path with c
 constexpr std::size_t mostTrueClipPoints = 10'000, mostTrueClipChords = 100'000,
                       mostTrueClippedPoints = 1'000'000;
 constexpr int mostImages = 500;                                             ///< each may be a layer
-constexpr long mostImagePixels = 400'000'000, mostImageBytes = 256'000'000; ///< of all together
+constexpr long mostImagePixels = 200'000'000, mostImageBytes = 256'000'000; ///< of all together
 constexpr double largestCoordinate = 1e300; ///< keeps sums and differences finite
 
 } // namespace app::svg

@@ -74,9 +74,9 @@ inline constexpr LossKind imageTooLarge{
     QT_TRANSLATE_NOOP("Text", "image that is too large"),
     QT_TRANSLATE_NOOP("Text", "images that are too large"), false,
     QT_TRANSLATE_NOOP("Text", "at most 100 million pixels and 64 MB are possible, and in all "
-                              "images of a file 400 million pixels and 256 MB"),
+                              "images of a file 200 million pixels and 256 MB"),
     QT_TRANSLATE_NOOP("Text", "at most 100 million pixels and 64 MB are possible, and in all "
-                              "images of a file 400 million pixels and 256 MB")};
+                              "images of a file 200 million pixels and 256 MB")};
 inline constexpr LossKind imageBeyond{QT_TRANSLATE_NOOP("Text", "image beyond the first 500"),
                                       QT_TRANSLATE_NOOP("Text", "images beyond the first 500")};
 inline constexpr LossKind imageUncut{

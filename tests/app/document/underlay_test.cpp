@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 #include "tests/app/document/test_image.h"
 #include "tests/test_class.h"
 
@@ -50,7 +52,7 @@ private slots:
         QTest::addColumn<int>("fault"); // -1: none
         const QByteArray png = bytesOf(testImage(5, 4)), jpeg = bytesOf(testImage(5, 4), "jpeg");
         QByteArray huge = png; // the head says 100,000 by 100,000
-        huge.replace(16, 8, QByteArray::fromHex("000186a0000186a0"));
+        huge.replace(16, 17, QByteArray::fromHex("000186a0000186a0080200000027309c9f"));
         QTest::newRow("png") << png << -1;
         QTest::newRow("jpeg") << jpeg << -1;
         QTest::newRow("gif") << QByteArray("GIF89a") << int(ImageFault::OtherKind);
@@ -88,7 +90,8 @@ private slots:
         QVERIFY(cut(image, cornersOfBox({{-1, -1}, {9, 9}})));
         QVERIFY(image.clip.empty());
         QVERIFY(cut(image, cornersOfBox({{1, 1}, {9, 9}})));
-        QCOMPARE(image.clip, (std::vector<Point>{{1, 1}, {4, 1}, {4, 3}, {1, 3}}));
+        const std::vector<Point> left{{1, 1}, {4, 1}, {4, 3}, {1, 3}};
+        QVERIFY(std::ranges::is_permutation(image.clip, left));
         QVERIFY(!cut(image, cornersOfBox({{7, 7}, {9, 9}})));
     }
 

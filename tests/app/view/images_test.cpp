@@ -43,6 +43,7 @@ Document drawing(ClipWindows windows = {})
     builder.close();
     Page page;
     page.size = Point(side);
+    page.width = page.height = {side, Unit::Px};
     return builder.take(page, {}, std::move(windows));
 }
 
@@ -57,7 +58,7 @@ QImage onWhite(const QImage& image)
 /// The frame of a document of which a pixel is a unit.
 QImage frameOf(const Document& document, RemovedPart removed = RemovedPart::Hidden)
 {
-    FrameWish wish{.document = document, .lines = linesOf(document)};
+    FrameWish wish{.key = {}, .document = document, .lines = linesOf(document)};
     wish.key.view.size = Point(side);
     wish.key.view.centre = Point(side / 2.0);
     wish.key.view.zoom = 1;
@@ -67,7 +68,9 @@ QImage frameOf(const Document& document, RemovedPart removed = RemovedPart::Hidd
     wish.options.removed = removed;
     wish.underlays = seenUnderlays(document);
     wish.ghost = 0.5;
-    return onWhite(FramePainter().paint(wish, Follower(), std::make_shared<FrameParts>()).image);
+    return onWhite(FramePainter()
+                       .paint(wish, {{}, [](const Progress&) {}}, std::make_shared<FrameParts>())
+                       .image);
 }
 
 QRgb at(const QImage& image, int x, int y) { return image.pixel(x, y) & 0xffffff; }

@@ -207,7 +207,7 @@ private slots:
         };
         const QByteArray png = bytesOf(testImage(40, 30));
         QByteArray huge = png;
-        huge.replace(16, 8, QByteArray::fromHex("000186a0000186a0"));
+        huge.replace(16, 17, QByteArray::fromHex("000186a0000186a0080200000027309c9f"));
         QCOMPARE(told(png), "");
         QCOMPARE(told(huge), "1 image that is too large");
         QCOMPARE(told(png.first(png.size() / 2)), "1 damaged image");
