@@ -53,7 +53,8 @@ Result<QString> textOf(const QString& path)
     const QByteArray bytes = file.read(mostBytes + 1);
     if (file.error() != QFileDevice::NoError)
         return Result<QString>::failure(Text::tr("It cannot be read: %1.").arg(file.errorString()));
-    QStringDecoder decoder(QStringDecoder::Utf8);
+    // Stateless: a sign that the end cuts off is an error, too.
+    QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
     QString text = decoder(bytes);
     if (bytes.contains('\0') || decoder.hasError())
         return Result<QString>::failure(Text::tr("This is no text in UTF-8."));

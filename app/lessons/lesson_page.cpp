@@ -8,14 +8,15 @@
 
 #include <QFile>
 
-#include <algorithm>
+#include <array>
 
 namespace app {
 
 namespace {
 
 constexpr std::uint64_t mostLines = 4; // about which a question can be
-constexpr int pictureWidth = 560;
+/// Widths of pictures in pixels: the first with which the page is small enough.
+constexpr std::array pictureWidths{560, 400, 280};
 
 QByteArray ofLesson(const char* name)
 {
@@ -52,13 +53,51 @@ QByteArray answersHtml(const Lesson& lesson)
 }
 
 /// A page with the lines `about`.
-QByteArray articleHtml(const LessonPage& page, const QString& place, const QByteArray& about)
+QByteArray articleHtml(const LessonPage& page, const QString& place, const QByteArray& picture,
+                       const QByteArray& about)
 {
-    return "<article class=\"page\">\n" + paragraphHtml("place", place)
-           + pictureHtml(page.picture, pictureWidth) + "<div class=\"text\">\n"
-           + markdownHtml(page.text) + "</div>\n" + about
+    return "<article class=\"page\">\n" + paragraphHtml("place", place) + picture
+           + "<div class=\"text\">\n" + markdownHtml(page.text) + "</div>\n" + about
            + (page.shows.code ? codeHtml(narrationOf(page.tracedLine).code) : QByteArray())
            + "</article>\n";
+}
+
+using Parts = std::vector<QByteArray>; // one for each page
+
+Parts linesHtml(const std::vector<LessonPage>& pages, std::uint64_t seed)
+{
+    Parts lines;
+    for (const LessonPage& page : pages)
+        lines.push_back(seed == 1 || !page.families.isEmpty() ? lineHtml(page, seed)
+                                                              : QByteArray());
+    return lines;
+}
+
+Parts picturesHtml(const std::vector<LessonPage>& pages, int width)
+{
+    Parts pictures;
+    for (const LessonPage& page : pages)
+        pictures.push_back(pictureHtml(page.picture, width));
+    return pictures;
+}
+
+qsizetype sizeOf(const Parts& parts)
+{
+    qsizetype size = 0;
+    for (const QByteArray& part : parts)
+        size += part.size();
+    return size;
+}
+
+/// The pages with these pictures and lines.
+QByteArray articlesHtml(const std::vector<LessonPage>& pages, const Parts& pictures,
+                        const Parts& about)
+{
+    QByteArray html;
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        html += articleHtml(pages[i], Text::tr("%1 of %2").arg(i + 1).arg(pages.size()),
+                            pictures[i], about[i]);
+    return html;
 }
 
 } // namespace
@@ -76,34 +115,25 @@ Result<QByteArray> lessonHtml(const Lesson& lesson)
                              + "</section>\n" + answersHtml(lesson) + lessonWordsHtml(lesson)
                              + "<script>\n" + ofLesson("lesson.js")
                              + "</script>\n</body>\n</html>\n";
-    const auto place = [&](std::size_t i) {
-        return Text::tr("%1 of %2").arg(i + 1).arg(pages.size());
-    };
-    qsizetype size = before.size() + after.size();
-    for (std::size_t i = 0; i < pages.size(); ++i)
-        size += articleHtml(pages[i], place(i), {}).size();
-    std::vector<QByteArray> about(pages.size());
-    for (std::uint64_t seed = 1; seed <= mostLines; ++seed) {
-        std::vector<QByteArray> more(pages.size());
-        qsizetype added = 0;
-        for (std::size_t i = 0; i < pages.size() && size + added <= mostLessonPageBytes; ++i)
-            if (seed == 1 || !pages[i].families.isEmpty())
-                added += (more[i] = lineHtml(pages[i], seed)).size();
-        if (size + added > mostLessonPageBytes && seed == 1)
-            return Result<QByteArray>::failure(
-                Text::tr("The page would have more than %1 kB. Divide the lesson, or leave "
-                         "pictures out.")
-                    .arg(mostLessonPageBytes / 1000));
-        if (size + added > mostLessonPageBytes)
+    Parts about = linesHtml(pages, 1), pictures(pages.size());
+    qsizetype room = mostLessonPageBytes - before.size() - after.size()
+                     - articlesHtml(pages, pictures, about).size();
+    for (const int width : pictureWidths)
+        if (pictures = picturesHtml(pages, width); sizeOf(pictures) <= room)
             break;
-        size += added;
-        for (std::size_t i = 0; i < pages.size(); ++i)
+    room -= sizeOf(pictures);
+    if (room < 0)
+        return Result<QByteArray>::failure(
+            Text::tr("The page would have more than %1 kB. Divide the lesson, or leave pictures "
+                     "out.")
+                .arg(mostLessonPageBytes / 1000));
+    for (std::uint64_t seed = 2; seed <= mostLines; ++seed) {
+        const Parts more = linesHtml(pages, seed);
+        room -= sizeOf(more);
+        for (std::size_t i = 0; i < pages.size() && room >= 0; ++i)
             about[i] += more[i];
     }
-    QByteArray html = before;
-    for (std::size_t i = 0; i < pages.size(); ++i)
-        html += articleHtml(pages[i], place(i), about[i]);
-    return Result<QByteArray>::of(html + after);
+    return Result<QByteArray>::of(before + articlesHtml(pages, pictures, about) + after);
 }
 
 } // namespace app

@@ -105,6 +105,7 @@ private:
     LessonPage page_{};
     PageLines lines_{};
     int number_ = 0;
+    bool obeyed_ = false;    ///< there was an instruction
     bool looked_ = false;    ///< some page has defined a traced line
     bool isTooLong_ = false; ///< so was said of this page
 };
@@ -127,14 +128,18 @@ ParsedLesson Parser::parse(const QString& text)
         if (!line.startsWith(u"<!--"))
             take((line.endsWith(u'\r') ? line.chopped(1) : line).toString());
     }
-    if (!isFull())
-        endPage();
     Lesson& lesson = parsed_.lesson;
-    if (lesson.title.isEmpty())
-        fault(Text::tr("A lesson needs a title: a line “# Title”."), 1);
+    if (!obeyed_) {
+        parsed_.faults = {{1, Text::tr("This is no lesson: no line begins with “::”.")}};
+        return std::move(parsed_);
+    }
     if (lesson.pages.size() > mostLessonPages)
         fault(Text::tr("A lesson has at most %1 pages. Divide it into several files.")
                   .arg(mostLessonPages));
+    else if (!isFull())
+        endPage();
+    if (lesson.title.isEmpty())
+        fault(Text::tr("A lesson needs a title: a line “# Title”."), 1);
     std::ranges::stable_sort(parsed_.faults, {}, &LessonFault::line);
     return std::move(parsed_);
 }
@@ -172,6 +177,7 @@ void Parser::addText(const QString& line)
 
 void Parser::obey(const QStringList& words)
 {
+    obeyed_ = true;
     if (lines_.first == 0)
         lines_.first = number_;
     const auto found = std::ranges::find_if(
@@ -179,7 +185,8 @@ void Parser::obey(const QStringList& words)
     if (found != instructions.end())
         return (this->*found->obey)(words.sliced(1));
     fault(Text::tr("%1 is no instruction. There are %2.")
-              .arg(quoted(QStringLiteral(":: ") + words.front()), keysOf(instructions, &Instruction::word)));
+              .arg(quoted(QStringLiteral(":: ") + words.front()),
+                   keysOf(instructions, &Instruction::word)));
 }
 
 void Parser::version(const QStringList& words)

@@ -78,7 +78,7 @@ private slots:
         QTest::newRow("nul") << good + QByteArray("\0", 1) << "no text in UTF-8";
         QTest::newRow("latin-1") << good + "caf\xe9"
                                  << "no text in UTF-8";
-        QTest::newRow("empty") << QByteArray() << "title";
+        QTest::newRow("empty") << QByteArray() << "This is no lesson";
         QTest::newRow("large") << QByteArray(1'000'001, 'x') << "at most 1,000 kB";
         QTest::newRow("version") << ":: version 7\n" + good << "version 7";
         QTest::newRow("next") << good + ":: next lesson.md\n"

@@ -110,6 +110,11 @@ private slots:
         QCOMPARE(faults.size(), 1);
         QVERIFY2(faults[0].contains("at most 100 pages"), qPrintable(faults[0]));
     }
+    void otherTextIsNoLesson()
+    {
+        QCOMPARE(faultsOfText("# Notes\n\nBuy chalk.\n").size(), 1);
+        QCOMPARE(faultsOfText("").size(), 1);
+    }
     void aFileOfFaultsEnds()
     {
         QCOMPARE(faultsOfText(QString(":: x\n").repeated(100'000)).size(), 21); // and no title
