@@ -123,6 +123,27 @@ private slots:
         QVERIFY(lines[6].startsWith("matthes-drakopoulos,corrected,clip,3,1000,"));
     }
 
+    /// The runs have the same lines as in one process, each run others than the one before.
+    void eachRunCanBeAProcess()
+    {
+        const auto visible = [](const QStringList& more) {
+            const auto run = clearcut(QStringList{"bench", "-n", "1000", "-r", "3", "-s", "7", "-a",
+                                                  "cs,md", "--each-run", "-f", "json"}
+                                      + more);
+            const auto table = run.code == 0 ? tablesOf(run.out)[0].toObject() : QJsonObject();
+            QStringList all{table["facts"].toObject()["processes"].toString()};
+            for (const auto& row : table["rows"].toArray())
+                all << row.toObject()["visible"].toVariant().toString();
+            return all;
+        };
+        const QStringList one = visible({}), each = visible({"--processes"});
+        QCOMPARE(one.size(), 1 + 2 * 2 * 3);
+        QCOMPARE(one.front(), "one");
+        QCOMPARE(each.front(), "one for each run");
+        QCOMPARE(each.sliced(1), one.sliced(1));
+        QVERIFY(one[1] != one[2] || one[2] != one[3]);
+    }
+
     void singlePrecisionIsSaid()
     {
         const auto run =
