@@ -105,6 +105,7 @@ private:
     LessonPage page_{};
     PageLines lines_{};
     int number_ = 0;
+    std::size_t faultsBefore_ = 0; ///< before the page
     bool obeyed_ = false;    ///< there was an instruction
     bool looked_ = false;    ///< some page has defined a traced line
     bool isTooLong_ = false; ///< so was said of this page
@@ -297,9 +298,10 @@ void Parser::endPage()
     page_.text = page_.text.trimmed();
     page_.told = page_.told.trimmed();
     const int first = lines_.first > 0 ? lines_.first : number_;
-    if (!looked_)
+    const bool isFaulty = parsed_.faults.size() > faultsBefore_; // and was told so
+    if (!looked_ && !isFaulty)
         fault(Text::tr("The page shows no line: the first page needs a “:: look”."), first);
-    if (page_.text.isEmpty())
+    if (page_.text.isEmpty() && !isFaulty)
         fault(Text::tr("The page has no text before its question."), first);
     looked_ = true;
     page_.tracedLine.origin = parsed_.lesson.title;
@@ -308,6 +310,7 @@ void Parser::endPage()
     // The next page keeps the traced line and the parts.
     page_ = {.text = {}, .tracedLine = page_.tracedLine, .shows = page_.shows};
     lines_ = {.look = lines_.look};
+    faultsBefore_ = parsed_.faults.size();
     isTooLong_ = false;
 }
 
