@@ -74,6 +74,13 @@ std::size_t add(LessonGroup& group, LessonFile file, const QString& path)
 
 const std::vector<LessonGroup>& openedLessons() { return opened().groups; }
 
+bool isOpened(const QString& path)
+{
+    const auto& [lessons, groups, openings] = opened();
+    return std::ranges::find(groups, path, &LessonGroup::folder) != groups.end()
+           || std::ranges::find(lessons, path, &OpenedLesson::path) != lessons.end();
+}
+
 int lessonOpenings() { return opened().openings; }
 
 std::optional<std::size_t> addOpenedLessons(std::vector<LessonFile> files)

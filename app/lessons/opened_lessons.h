@@ -18,6 +18,9 @@ struct LessonGroup {
 };
 const std::vector<LessonGroup>& openedLessons();
 
+/// Whether this folder or file was opened.
+bool isOpened(const QString& path);
+
 /// How often lessons were added: a view with another number is outdated.
 int lessonOpenings();
 

@@ -61,6 +61,7 @@ class HostileSettingsTest : public QObject {
                 "print/paper",
                 "shortcuts",
                 "lessons/done",
+                "lessons/opened",
                 "drawings/open",
                 "drawings/shown",
                 "drawings/reopen"};

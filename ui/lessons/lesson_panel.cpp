@@ -193,6 +193,8 @@ void LessonPanel::showList()
     list_->focusOnLesson();
 }
 
+void LessonPanel::refreshList() { list_->refresh(); }
+
 void LessonPanel::showOpened(std::optional<std::size_t> lesson)
 {
     showList();

@@ -26,6 +26,7 @@ public:
     explicit LessonPanel(app::Course& course, QWidget* parent = nullptr);
 
     void showList();
+    void refreshList(); ///< after lessons were opened
     /// The list with lessons that were opened just now, from this one on; empty: none could be.
     void showOpened(std::optional<std::size_t> lesson);
     QSize sizeHint() const override;

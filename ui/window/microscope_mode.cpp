@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/microscope_mode.h"
 
+#include "app/lessons/lesson_places.h"
 #include "app/lessons/opened_lessons.h"
 #include "ui/canvas/canvas.h"
 #include "ui/lessons/lesson_panel.h"
@@ -8,6 +9,10 @@
 #include "ui/window/centre.h"
 
 #include <QApplication>
+#include <QFileInfo>
+#include <QSettings>
+
+#include <utility>
 
 namespace ui {
 
@@ -66,6 +71,7 @@ void MicroscopeMode::showLessons()
         page.setSide(lessons);
     }
     page.side()->setFocus();
+    openPlaces();
     emit lessonsToggled();
 }
 
@@ -79,14 +85,39 @@ LessonPanel* MicroscopeMode::lessonPanel() const
     return showsLessons() ? qobject_cast<LessonPanel*>(centre_.microscope()->side()) : nullptr;
 }
 
+/// Reads the lessons that were opened in earlier runs, unless another window has. What is gone is
+/// not told of: it may be on a stick that is back tomorrow.
+void MicroscopeMode::openPlaces()
+{
+    if (std::exchange(openedPlaces_, true))
+        return;
+    QStringList places = app::lessonPlaces(QSettings());
+    places.removeIf([](const QString& path) { return app::isOpened(path); });
+    if (places.isEmpty())
+        return;
+    const auto read = [places](const app::Follower& follower) {
+        QStringList present = places;
+        present.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
+        return app::readLessonFiles(present, follower);
+    };
+    readingPlaces_.start(read, [this](std::vector<app::LessonFile> files) {
+        app::addOpenedLessons(std::move(files));
+        if (LessonPanel* panel = lessonPanel())
+            panel->refreshList();
+    });
+}
+
 void MicroscopeMode::openLessons(const QStringList& paths)
 {
     if (paths.isEmpty())
         return;
     reading_.start(
         [paths](const app::Follower& follower) { return app::readLessonFiles(paths, follower); },
-        [this](std::vector<app::LessonFile> files) {
+        [this, paths](std::vector<app::LessonFile> files) {
             const auto first = app::addOpenedLessons(std::move(files));
+            QSettings settings;
+            if (first)
+                app::keepLessonPlaces(settings, paths);
             showLessons();
             if (LessonPanel* panel = lessonPanel())
                 panel->showOpened(first);

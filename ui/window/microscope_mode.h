@@ -44,13 +44,15 @@ private:
     void make();
     void closeLessons();
     LessonPanel* lessonPanel() const; ///< null: the lessons are not shown
+    void openPlaces();
 
     app::Session& session_;
     app::DrawnLine& drawn_;
     Canvas& canvas_;
     Centre& centre_;
     QPointer<QWidget> focusBefore_;
-    app::Background<std::vector<app::LessonFile>> reading_;
+    app::Background<std::vector<app::LessonFile>> reading_, readingPlaces_;
+    bool openedPlaces_ = false; ///< the lessons of earlier runs
 };
 
 } // namespace ui

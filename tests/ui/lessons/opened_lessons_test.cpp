@@ -100,6 +100,22 @@ private slots:
         school.run("open-lesson-files");
         QTRY_VERIFY(school.showsFolder());
     }
+    void theNextRunHasTheLessons()
+    {
+        const School school;
+        QVERIFY(QDir(school.folder.path()).mkdir("again"));
+        const QString folder = school.folder.filePath("again");
+        school.write("again/a.md", QByteArray(lessonText).replace("Own & only", "Again"));
+        QSettings().setValue("lessons/opened",
+                             QStringList{"/nowhere", "relative", folder, QString(9000, u'x')});
+        school.window->showLessons();
+        QTRY_VERIFY(school.says("again"));
+        QVERIFY(!school.says("nowhere"));
+        school.window->openLessons({school.folder.path()});
+        QTRY_VERIFY(school.showsFolder());
+        QCOMPARE(QSettings().value("lessons/opened").toStringList(),
+                 QStringList({"/nowhere", folder, school.folder.path()}));
+    }
     void nothingChosenChangesNothing()
     {
         School school;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lessons/lesson_places.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+namespace app {
+
+namespace {
+
+constexpr qsizetype mostPlaces = 12, longestPath = 4096;
+
+QString placesKey() { return QStringLiteral("lessons/opened"); }
+
+} // namespace
+
+QStringList lessonPlaces(const QSettings& settings)
+{
+    QStringList paths = settings.value(placesKey()).toStringList();
+    paths.removeIf([](const QString& path) {
+        return path.size() > longestPath || !QFileInfo(path).isAbsolute();
+    });
+    paths.removeDuplicates();
+    return paths.last(std::min(paths.size(), mostPlaces));
+}
+
+void keepLessonPlaces(QSettings& settings, const QStringList& paths)
+{
+    QStringList all = lessonPlaces(settings);
+    for (const QString& path : paths) {
+        const QString whole = QFileInfo(path).absoluteFilePath();
+        all.removeAll(whole);
+        all << whole;
+    }
+    settings.setValue(placesKey(), all.last(std::min(all.size(), mostPlaces)));
+}
+
+} // namespace app
