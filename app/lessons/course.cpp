@@ -100,6 +100,22 @@ void Course::pause()
 void Course::end()
 {
     const bool covers = lesson() && isOpen();
+    leave();
+    if (covers)
+        microscope_.close();
+    emit changed();
+}
+
+void Course::setAside()
+{
+    if (!lesson())
+        return;
+    leave();
+    emit changed();
+}
+
+void Course::leave()
+{
     if (atEnd())
         left_.reset();
     else if (lesson_)
@@ -110,9 +126,6 @@ void Course::end()
     seeds_.clear();
     drawn_.clear();
     paused_ = false;
-    if (covers)
-        microscope_.close();
-    emit changed();
 }
 
 std::optional<std::size_t> Course::lessonToGoOn() const

@@ -50,6 +50,8 @@ public:
     /// Leaves the microscope unchanged, but closes it while a question is open, whose answer it
     /// would reveal. A lesson that is not at its end is remembered with its page and answers.
     void end();
+    /// The same, but leaves the microscope open: for what covers its steps itself.
+    void setAside();
     const Lesson* lesson() const; ///< null: no lesson is in progress
     /// The reader looks at the list of lessons; the lesson stays at its page.
     void pause();
@@ -115,6 +117,7 @@ signals:
 private:
     const TracedLine& ownLine() const;
     void follow();
+    void leave();
     void show(const TracedLine& tracedLine);
     void ask(const TracedLine& tracedLine);
     void settle();

@@ -9,7 +9,7 @@
 #include "app/document/window_frame.h"
 #include "app/exactness/live_exactness.h"
 #include "app/formats/format.h"
-#include "app/lessons/course.h"
+#include "app/practice/practice.h"
 #include "app/scene/compared_window.h"
 #include "app/scene/scene.h"
 #include "app/session/entered_group.h"
@@ -76,6 +76,7 @@ public:
     LiveExactness exactness{document, scene};     ///< how exact an algorithm is, while shown
     Microscope microscope;                        ///< one line, step by step
     Course course{microscope};                    ///< the lesson in progress, if any
+    Practice practice{microscope, course};        ///< the attempt to play an algorithm, if any
     NodeEditing nodes{*this};                     ///< of the selected objects
     EnteredGroup entered{*this};                  ///< the group that is being edited, if any
     Pivot pivot{*this};                           ///< of the selection
