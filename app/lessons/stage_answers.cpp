@@ -56,23 +56,32 @@ StageAnswer::State stateOf(int choice, const Course& course)
 
 } // namespace
 
-std::vector<StageAnswer> stageAnswers(const Course& course, const FigureFrame& frame)
+std::vector<StageAnswer>
+answersBeside(std::span<const std::variant<clipping::Edge, clipping::Segment>> parts,
+              const TracedLine& tracedLine, const FigureFrame& frame)
 {
-    if (!course.lesson() || course.isPaused() || !course.question() || course.isElsewhere())
-        return {};
-    const FigureEdges edges(course.asked(), frame);
-    const auto line = frame.part(course.asked().line);
+    const FigureEdges edges(tracedLine, frame);
+    const auto line = frame.part(tracedLine.line);
     std::vector<StageAnswer> answers;
-    for (const auto& part : course.question()->parts) {
+    for (const auto& part : parts) {
         const auto* edge = std::get_if<clipping::Edge>(&part);
         const auto side = edge ? edges.side(*edge) : frame.part(std::get<clipping::Segment>(part));
         if (!side)
             return {};
-        const int choice = int(answers.size());
         const QPointF disc =
             discBeside(*side, edges.window().center(), edge ? line : std::nullopt, frame);
-        answers.push_back({choice, *side, disc, stateOf(choice, course)});
+        answers.push_back({int(answers.size()), *side, disc});
     }
+    return answers;
+}
+
+std::vector<StageAnswer> stageAnswers(const Course& course, const FigureFrame& frame)
+{
+    if (!course.lesson() || course.isPaused() || !course.question() || course.isElsewhere())
+        return {};
+    auto answers = answersBeside(course.question()->parts, course.asked(), frame);
+    for (StageAnswer& answer : answers)
+        answer.state = stateOf(answer.choice, course);
     return answers;
 }
 

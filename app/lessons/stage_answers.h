@@ -25,6 +25,11 @@ constexpr double discSize = 30;
 /// they say nothing about which one is right.
 std::vector<StageAnswer> stageAnswers(const Course& course, const FigureFrame& frame);
 
+/// Parts of the figure of a line with their discs, all of them open; the same.
+std::vector<StageAnswer>
+answersBeside(std::span<const std::variant<clipping::Edge, clipping::Segment>> parts,
+              const TracedLine& tracedLine, const FigureFrame& frame);
+
 /// The answer whose disc, or else whose part, is at a place of the picture.
 std::optional<int> answerAt(const std::vector<StageAnswer>& answers, const QPointF& place,
                             const FigureFrame& frame);

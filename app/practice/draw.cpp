@@ -15,7 +15,7 @@ namespace {
 constexpr clipping::Window paperWindow{{-100, -75}, {100, 75}};
 constexpr std::size_t fewestMoves = 4, mostMoves = 24;
 
-/// Twice: those in which an algorithm has most to do.
+/// Several times: those in which an algorithm has most to do.
 constexpr std::array drawnFamilies{"both-ends", "both-ends", "both-ends", "one-end",
                                    "one-end",   "corner",    "beside"};
 

@@ -9,7 +9,7 @@ namespace app {
 
 /// The line of an attempt: drawn by its seed from families of lines (lessons/families.h), at which
 /// the variant ends, and whose moves cannot be passed by chance. Equal seeds give equal lines. y
-/// points up. Takes some milliseconds.
+/// points up. Takes at most about a millisecond.
 TracedLine practiceLine(const Variant& variant, std::uint64_t seed);
 
 /// How many first tries must be right to pass: at least two thirds, and so many that random answers

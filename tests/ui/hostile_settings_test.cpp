@@ -62,6 +62,8 @@ class HostileSettingsTest : public QObject {
                 "shortcuts",
                 "lessons/done",
                 "lessons/opened",
+                "practice/best/cohen-sutherland:published",
+                "practice/passed/cohen-sutherland:published",
                 "drawings/open",
                 "drawings/shown",
                 "drawings/reopen"};

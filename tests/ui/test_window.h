@@ -109,6 +109,7 @@ public:
         window->setQuestions(std::move(prepared));
         window->resize(1280, 800);
         window->session().course.setSeed(0); // the lessons' lines as their files have them
+        window->session().practice.setSeed(5);
     }
 
     void show()

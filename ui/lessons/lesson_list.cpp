@@ -3,6 +3,7 @@
 
 #include "app/lessons/course.h"
 #include "app/lessons/opened_lessons.h"
+#include "ui/lessons/practice_entry.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -119,8 +120,8 @@ QLabel* plainLabel(const QString& text)
 
 } // namespace
 
-LessonList::LessonList(const app::Course& course, QWidget* parent)
-    : QScrollArea(parent), course_(course)
+LessonList::LessonList(const app::Course& course, const app::Practice& practice, QWidget* parent)
+    : QScrollArea(parent), course_(course), practice_(new PracticeEntry(practice))
 {
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
@@ -153,6 +154,9 @@ LessonList::LessonList(const app::Course& course, QWidget* parent)
     column->addWidget(about);
     for (std::size_t i = 0; i < app::lessons().size(); ++i)
         addLesson(*column, i);
+    column->addWidget(practice_);
+    connect(practice_, &PracticeEntry::chosen, this, &LessonList::practiceChosen);
+    connect(practice_, &PracticeEntry::goOnWanted, this, &LessonList::practiceGoesOn);
     opened_ = new QWidget;
     column->addWidget(opened_);
     column->addStretch();
@@ -221,6 +225,7 @@ void LessonList::refresh()
         addOpened();
     for (QAbstractButton* button : buttons_)
         static_cast<LessonButton*>(button)->refresh();
+    practice_->refresh();
 }
 
 } // namespace ui

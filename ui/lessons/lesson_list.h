@@ -5,19 +5,26 @@
 
 #include <QScrollArea>
 
+namespace app {
+class Practice;
+struct Variant;
+} // namespace app
+
 class QAbstractButton;
 class QBoxLayout;
 
 namespace ui {
 
+class PracticeEntry;
+
 /// All lessons, each with a sentence and its best score; passed lessons have a tick. The lesson in
-/// progress says at which page it goes on. Below those of the program are the opened ones, each
-/// folder under its heading.
+/// progress says at which page it goes on. Below those of the program are *Do it yourself* and the
+/// opened ones, each folder under its heading.
 class LessonList : public QScrollArea {
     Q_OBJECT
 
 public:
-    explicit LessonList(const app::Course& course, QWidget* parent = nullptr);
+    LessonList(const app::Course& course, const app::Practice& practice, QWidget* parent = nullptr);
 
     QList<QAbstractButton*> buttons() const { return buttons_; }
     QAbstractButton* buttonOf(std::size_t lesson) const; ///< of its number; or the first
@@ -28,6 +35,8 @@ public:
 signals:
     void chosen(int lesson);
     void closeWanted();
+    void practiceChosen(const app::Variant& variant);
+    void practiceGoesOn();
 
 private:
     void addLesson(QBoxLayout& column, std::size_t lesson);
@@ -38,6 +47,7 @@ private:
     std::vector<std::size_t> numbers_; ///< of the buttons' lessons
     QWidget* opened_;                  ///< the lessons that people opened
     int openings_ = 0;                 ///< that it shows
+    PracticeEntry* practice_;
 };
 
 } // namespace ui

@@ -7,6 +7,7 @@
 #include "ui/lessons/lesson_list.h"
 #include "ui/lessons/page_dots.h"
 #include "ui/lessons/page_picture.h"
+#include "ui/lessons/practice_page.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/link_button.h"
@@ -58,10 +59,11 @@ QString richText(const QString& markdown)
 
 } // namespace
 
-LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
-    : QStackedWidget(parent), course_(course), list_(new LessonList(course)), place_(new QLabel),
-      title_(new QLabel), text_(new QLabel), told_(new QLabel), ending_(new QLabel),
-      count_(new QLabel), body_(new QScrollArea), picture_(new PagePicture),
+LessonPanel::LessonPanel(app::Course& course, app::Practice& practice, QWidget* parent)
+    : QStackedWidget(parent), course_(course), practice_(practice),
+      list_(new LessonList(course, practice)), practicePage_(new PracticePage(practice)),
+      place_(new QLabel), title_(new QLabel), text_(new QLabel), told_(new QLabel),
+      ending_(new QLabel), count_(new QLabel), body_(new QScrollArea), picture_(new PagePicture),
       choices_(new ChoiceList), dots_(new PageDots),
       back_(button(Text::tr("Back"), Text::tr("Previous page (Page Up)"))),
       again_(button(Text::tr("Show example"),
@@ -77,6 +79,7 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     setAccessibleName(Text::tr("Lessons"));
     addWidget(list_);
     addWidget(reader_ = makeReader());
+    addWidget(practicePage_);
     setBackgroundRole(QPalette::AlternateBase);
     setAutoFillBackground(true);
     connect(list_, &LessonList::chosen, this, [this](int lesson) {
@@ -84,6 +87,10 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
         focusNext();
     });
     connect(list_, &LessonList::closeWanted, this, &LessonPanel::closeWanted);
+    connect(list_, &LessonList::practiceChosen, &practice, &app::Practice::begin);
+    connect(list_, &LessonList::practiceGoesOn, &practice, &app::Practice::goOn);
+    connect(practicePage_, &PracticePage::listWanted, this, &LessonPanel::showList);
+    connect(&practice, &app::Practice::changed, this, &LessonPanel::showPractice);
     connect(choices_, &ChoiceList::chosen, this, [this](int choice) {
         course_.choose(choice);
         body_->ensureWidgetVisible(choices_);
@@ -108,6 +115,8 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     key(Qt::Key_PageUp, -1);
     key(Qt::Key_PageDown, 1);
     showPage();
+    if (practice_.isOn())
+        showPractice();
 }
 
 QWidget* LessonPanel::makeReader()
@@ -189,7 +198,10 @@ QLayout* LessonPanel::makeFoot()
 
 void LessonPanel::showList()
 {
-    course_.atEnd() ? course_.end() : course_.pause();
+    if (practice_.isOn())
+        practice_.atEnd() ? practice_.end() : practice_.pause();
+    else
+        course_.atEnd() ? course_.end() : course_.pause();
     list_->focusOnLesson();
 }
 
@@ -233,8 +245,24 @@ QWidget* LessonPanel::nextInHand() const
     return choice ? choice : again_;
 }
 
+/// The attempt, or without one the lessons.
+void LessonPanel::showPractice()
+{
+    if (!practice_.isOn() || practice_.isPaused())
+        return showPage();
+    const QWidget* focus = QApplication::focusWidget();
+    const bool here = focus && isAncestorOf(focus); // also on the list
+    practicePage_->showAttempt();
+    setCurrentWidget(practicePage_);
+    setFocusProxy(practicePage_);
+    if (here)
+        practicePage_->focusNext();
+}
+
 void LessonPanel::showPage()
 {
+    if (practice_.isOn() && !practice_.isPaused())
+        return;
     const bool reads = course_.lesson() && !course_.isPaused();
     const QWidget* focus = QApplication::focusWidget();
     const bool answers = focus && choices_->isAncestorOf(focus); // whose buttons are made anew
@@ -309,7 +337,7 @@ void LessonPanel::changeEvent(QEvent* event)
 {
     QStackedWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        showPage();
+        practice_.isOn() ? showPractice() : showPage();
 }
 
 void LessonPanel::resizeEvent(QResizeEvent* event)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/lessons/course.h"
+#include "app/practice/practice.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -14,8 +15,10 @@ class ChoiceList;
 class LessonList;
 class PageDots;
 class PagePicture;
+class PracticePage;
 
-/// The lessons beside the microscope: their list, or the current page with its question. The
+/// The lessons beside the microscope: their list, the current page with its question, or *Do it
+/// yourself*. The
 /// microscope shows the page's example. Page Up and Page Down turn the pages; Up, Down and Enter
 /// answer, or the digit of an answer (MicroscopePage). The last page says whether the lesson is
 /// passed. The best score of each lesson is kept in the settings.
@@ -23,7 +26,7 @@ class LessonPanel : public QStackedWidget {
     Q_OBJECT
 
 public:
-    explicit LessonPanel(app::Course& course, QWidget* parent = nullptr);
+    LessonPanel(app::Course& course, app::Practice& practice, QWidget* parent = nullptr);
 
     void showList();
     void refreshList(); ///< after lessons were opened
@@ -45,6 +48,7 @@ private:
     QWidget* makeBody();
     QLayout* makeFoot();
     void showPage();
+    void showPractice();
     void showHead();
     void showEnding();
     void showFoot();
@@ -53,8 +57,10 @@ private:
     QWidget* nextInHand() const; ///< the button with which Enter continues or answers
 
     app::Course& course_;
+    app::Practice& practice_;
     LessonList* list_;
     QWidget* reader_;
+    PracticePage* practicePage_;
     QLabel *place_, *title_, *text_, *told_, *ending_, *count_;
     QScrollArea* body_;
     PagePicture* picture_;

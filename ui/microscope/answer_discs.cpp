@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/answer_discs.h"
 
+#include "app/practice/stage.h"
 #include "ui/look/look.h"
 #include "ui/microscope/line_drag.h"
 #include "ui/microscope/microscope_view.h"
@@ -40,12 +41,13 @@ void paintSign(QPainter& painter, const QPointF& c, double unit, bool right)
 
 } // namespace
 
-AnswerDiscs::AnswerDiscs(app::Course& course, MicroscopeView& view)
-    : QWidget(&view), course_(course), view_(view)
+AnswerDiscs::AnswerDiscs(app::Course& course, app::Practice& practice, MicroscopeView& view)
+    : QWidget(&view), course_(course), practice_(practice), view_(view)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     view.installEventFilter(this);
     connect(&course, &app::Course::changed, this, &AnswerDiscs::follow);
+    connect(&practice, &app::Practice::changed, this, &AnswerDiscs::follow);
     connect(&view, &MicroscopeView::framed, this, &AnswerDiscs::follow);
     connect(&view, &MicroscopeView::reframed, this, &AnswerDiscs::follow);
     follow();
@@ -54,11 +56,19 @@ AnswerDiscs::AnswerDiscs(app::Course& course, MicroscopeView& view)
 void AnswerDiscs::follow()
 {
     setGeometry(view_.rect());
-    answers_ = app::stageAnswers(course_, view_.frame());
-    if (answers_.empty() || !course_.asks())
+    answers_ = practice_.isOn() ? app::edgesToPick(practice_, view_.frame())
+                                : app::stageAnswers(course_, view_.frame());
+    if (answers_.empty() || !asks())
         hover({});
     setVisible(!answers_.empty());
     update();
+}
+
+bool AnswerDiscs::asks() const { return practice_.isOn() ? practice_.asks() : course_.asks(); }
+
+void AnswerDiscs::choose(int choice)
+{
+    practice_.isOn() ? void(practice_.useDigit(choice + 1)) : course_.choose(choice);
 }
 
 void AnswerDiscs::hover(std::optional<int> choice)
@@ -72,8 +82,8 @@ void AnswerDiscs::hover(std::optional<int> choice)
 /// What a click would answer. An end of the line is dragged instead.
 std::optional<int> AnswerDiscs::choiceAt(const QMouseEvent& event) const
 {
-    if (!course_.asks() || view_.drags()
-        || endAt(view_.frame(), course_.asked().line, event.position()))
+    const app::TracedLine& asked = practice_.isOn() ? practice_.tracedLine() : course_.asked();
+    if (!asks() || view_.drags() || endAt(view_.frame(), asked.line, event.position()))
         return std::nullopt;
     const auto choice = app::answerAt(answers_, event.position(), view_.frame());
     const bool open =
@@ -102,7 +112,7 @@ bool AnswerDiscs::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonRelease:
         if (const auto pressed = std::exchange(pressed_, std::nullopt)) {
             if (choiceAt(*mouse) == pressed) {
-                course_.choose(*pressed);
+                choose(*pressed);
                 emit answered();
             }
             return true;

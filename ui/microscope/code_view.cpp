@@ -180,8 +180,13 @@ void CodeView::mouseReleaseEvent(QMouseEvent* event)
 {
     QTextEdit::mouseReleaseEvent(event);
     const int row = rowAt(event->pos());
-    if (event->button() == Qt::LeftButton && row >= 0 && !textCursor().hasSelection())
-        toggle(row);
+    if (event->button() != Qt::LeftButton || textCursor().hasSelection())
+        return;
+    if (row >= 0)
+        return toggle(row);
+    for (int other = 0; other < int(rows_.size()); ++other)
+        if (boxOf(other).contains(QPointF(1, event->pos().y())))
+            emit lineClicked(rows_[std::size_t(other)].first);
 }
 
 void CodeView::keyPressEvent(QKeyEvent* event)

@@ -21,6 +21,9 @@ public:
     int currentLine() const { return currentLine_; }
     const std::vector<app::CodeRow>& rows() const { return rows_; }
 
+signals:
+    void lineClicked(int line); ///< with the left button, where no branch folds
+
 protected:
     bool viewportEvent(QEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

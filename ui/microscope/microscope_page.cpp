@@ -13,6 +13,7 @@
 #include "ui/microscope/microscope_view.h"
 #include "ui/microscope/operations_view.h"
 #include "ui/microscope/overview.h"
+#include "ui/microscope/place_mark.h"
 #include "ui/microscope/variable_table.h"
 #include "ui/microscope/variables_panel.h"
 #include "ui/widgets/algorithm_marker.h"
@@ -134,8 +135,16 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     connect(fit_, &QToolButton::clicked, view_, &MicroscopeView::fit);
     for (const QSplitter* parts : {across_, down_, right_})
         connect(parts, &QSplitter::splitterMoved, this, [this] { ownShares_ = true; });
-    auto* discs = new AnswerDiscs(session.course, *view_);
+    auto* discs = new AnswerDiscs(session.course, session.practice, *view_);
     connect(discs, &AnswerDiscs::answered, this, &MicroscopePage::goOnInLesson);
+    new PlaceMark(session.practice, *view_);
+    connect(&session.practice, &app::Practice::changed, this, &MicroscopePage::showParts);
+    connect(&session.practice, &app::Practice::changed, this, &MicroscopePage::showStep);
+    connect(code_, &CodeView::lineClicked, &session.practice,
+            [&practice = session.practice](int line) {
+                if (practice.move() && practice.move()->kind == app::MoveKind::Line)
+                    practice.setDraft(line);
+            });
     addKeys();
     showStep();
     showPlace();
@@ -197,10 +206,14 @@ void MicroscopePage::addKeys()
 /// Fields take their digits before.
 void MicroscopePage::useDigit(int digit)
 {
+    const bool practises = session_.practice.isOn() && !session_.practice.isPaused();
     const app::DigitUse use =
-        app::digitUse({.question = session_.course.asks(), .gesture = view_->drags()});
+        app::digitUse({.question = practises || session_.course.asks(), .gesture = view_->drags()});
     if (use == app::DigitUse::Answer) {
-        session_.course.choose(digit - 1);
+        if (!practises)
+            session_.course.choose(digit - 1);
+        else if (!session_.practice.useDigit(digit))
+            return;
         return goOnInLesson();
     }
     if (use != app::DigitUse::Algorithm)
@@ -213,7 +226,7 @@ void MicroscopePage::useDigit(int digit)
 /// After an answer that settles the question, Enter turns the lesson's page.
 void MicroscopePage::goOnInLesson()
 {
-    if (side_ && !session_.course.isOpen())
+    if (side_ && (session_.practice.isOn() || !session_.course.isOpen()))
         side_->setFocus();
 }
 
@@ -225,7 +238,9 @@ void MicroscopePage::showStep()
     // A folded branch would say the answer of an open question.
     code_->show(narration.code,
                 microscope.isCovered() ? std::set<int>{} : app::linesRun(narration));
-    code_->light(narrated ? narrated->line : 0);
+    const app::Practice& practice = session_.practice;
+    const bool asksHere = practice.asks() && practice.move()->line > 0; // the line that is run now
+    code_->light(asksHere ? practice.move()->line : narrated ? narrated->line : 0);
     variables_->show(microscope.tracedLine(), narration,
                      narrated ? microscope.step() : narration.steps.size());
     variablesCover_->setVisible(microscope.isCovered() && !narrated);
@@ -263,8 +278,12 @@ void MicroscopePage::showParts()
 {
     constexpr app::LessonParts all{
         .code = true, .variables = true, .operations = true, .steps = true};
-    const app::LessonParts shown = side_ ? session_.course.shows() : all;
-    const bool reads = side_ && session_.course.lesson() && !session_.course.isPaused();
+    const bool practises = session_.practice.isOn() && !session_.practice.isPaused();
+    const app::LessonParts shown = !side_      ? all
+                                   : practises ? session_.practice.shows()
+                                               : session_.course.shows();
+    const bool reads =
+        side_ && (practises || (session_.course.lesson() && !session_.course.isPaused()));
     if (leave_->isHidden() == reads) {
         leave_->setVisible(reads);
         placeOverview();

@@ -64,7 +64,7 @@ void MicroscopeMode::showLessons()
         drawn_.look();
     MicroscopePage& page = *centre_.microscope();
     if (!page.side()) {
-        auto* lessons = new LessonPanel(session_.course);
+        auto* lessons = new LessonPanel(session_.course, session_.practice);
         // Queued: the panel is deleted, but not while it handles an event.
         connect(lessons, &LessonPanel::closeWanted, this, &MicroscopeMode::closeLessons,
                 Qt::QueuedConnection);
@@ -127,6 +127,7 @@ void MicroscopeMode::openLessons(const QStringList& paths)
 void MicroscopeMode::closeLessons()
 {
     session_.course.end();
+    session_.practice.end();
     if (centre_.microscope())
         centre_.microscope()->setSide(nullptr);
     emit lessonsToggled();

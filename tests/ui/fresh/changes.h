@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/commands/set_containers.h"
+#include "app/practice/plan.h"
 #include "app/session/arrange_selection.h"
 #include "app/session/layer_steps.h"
 #include "app/session/selection_style.h"
@@ -76,6 +77,7 @@ inline void openFull(Desk& desk)
     while (desk.session.now().objects().size() < 5 || !desk.session.windowNumber());
     desk.session.select({0, 1});
     desk.session.course.setSeed(0); // as the file has it
+    desk.session.practice.setSeed(5);
     desk.session.course.begin(0);
     desk.session.course.showAnswer(); // until then the steps are covered
     desk.sheets.open();
@@ -273,6 +275,18 @@ inline std::vector<DeskChange> deskChanges()
          [](Desk& desk) {
              if (desk.session.course.lesson())
                  desk.session.course.showAnswer();
+         }},
+        {"play an algorithm",
+         [](Desk& desk) {
+             const auto variants = app::practiceVariants();
+             desk.session.practice.begin(variants[std::size_t(desk.below(int(variants.size())))]);
+         }},
+        {"answer a move",
+         [](Desk& desk) {
+             if (!desk.session.practice.move())
+                 return;
+             desk.session.practice.answer(desk.below(5));
+             desk.session.practice.next();
          }},
         {"open the sheets",
          [](Desk& desk) {

@@ -216,7 +216,7 @@ inline std::vector<Maker> makers()
          [](const Desk& desk) { return desk.session.microscope.isOpen(); }},
         {"lessons",
          {480, 640},
-         [](Desk& desk) { return new LessonPanel(desk.session.course); },
+         [](Desk& desk) { return new LessonPanel(desk.session.course, desk.session.practice); },
          nullptr,
          false,
          false,

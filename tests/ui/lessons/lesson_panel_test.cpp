@@ -49,7 +49,8 @@ struct Stage {
 
     app::Microscope microscope;
     app::Course course{microscope};
-    ui::LessonPanel panel{course};
+    app::Practice practice{microscope, course};
+    ui::LessonPanel panel{course, practice};
 };
 
 } // namespace
@@ -247,7 +248,8 @@ private slots:
         }
         app::Microscope microscope;
         app::Course course(microscope);
-        const ui::LessonPanel next(course); // the settings are as they were left
+        app::Practice practice(microscope, course);
+        const ui::LessonPanel next(course, practice); // the settings are as they were left
         const auto* list = next.findChild<ui::LessonList*>();
         QVERIFY(list->buttons()[1]->accessibleDescription().contains("Passed"));
         QVERIFY(list->buttons()[1]->accessibleDescription().contains(

@@ -165,6 +165,30 @@ inline Screen lessonPage(const char* name, Theme theme, std::size_t lesson, std:
             }};
 }
 
+/// *Do it yourself* at the first move of a kind, after a wrong answer if the move has a mistake; or
+/// at the end, after one wrong move.
+inline Screen practice(const char* name, Theme theme, const char* variant,
+                       std::optional<app::MoveKind> kind)
+{
+    return {name, [theme, variant, kind] {
+                return withWindow([=](TestWindow& test) -> QWidget* {
+                    test.window->setTheme(theme);
+                    test.window->showLessons();
+                    app::Practice& practice = test.window->session().practice;
+                    practice.begin(*app::findVariant(QString::fromLatin1(variant)));
+                    if (!kind)
+                        practice.answer(practice.move()->mistakes.front().answer);
+                    while (practice.move() && practice.move()->kind != kind) {
+                        practice.answer(practice.move()->right);
+                        practice.next();
+                    }
+                    if (practice.move() && !practice.move()->mistakes.empty())
+                        practice.answer(practice.move()->mistakes.front().answer);
+                    return test.window.get();
+                });
+            }};
+}
+
 inline Screen dialog(const char* name, const char* command)
 {
     return {name, [command] {
@@ -206,6 +230,13 @@ inline void addWindows(std::vector<Screen>& screens)
     screens.push_back(output("print", Theme::Light, "print", "export-page"));
     screens.push_back(lessonPage("lesson-window", Theme::Light, 1, 3));
     screens.push_back(lessonPage("lesson-window-dark", Theme::Dark, 0, 1));
+    using enum app::MoveKind;
+    screens.push_back(practice("practice-bits", Theme::Light, "cs:published", Bits));
+    screens.push_back(practice("practice-edge", Theme::Dark, "cs:corrected", Edge));
+    screens.push_back(practice("practice-place", Theme::Light, "md:published", Place));
+    screens.push_back(practice("practice-line", Theme::Dark, "lb:published", Line));
+    screens.push_back(practice("practice-value", Theme::Light, "cb:corrected", Value));
+    screens.push_back(practice("practice-end", Theme::Light, "kwc:published", std::nullopt));
     screens.push_back({"explanation-finding", finding});
     screens.push_back(part("dialog-export-steps", exportSteps));
     screens.push_back(part("dialog-waiting", waiting));
