@@ -47,6 +47,8 @@ constexpr std::array harmlessAttributes{
     HarmlessAttributes{"it only says how a file is loaded",
                        "crossorigin decoding loading playbackorder progressive requiredFeatures "
                        "requiredFonts requiredFormats timelinebegin transferBehavior"},
+    HarmlessAttributes{"some programs write it without the prefix that gives it a meaning",
+                       "space"},
     HarmlessAttributes{"no program draws it in another way", "method spacing"},
     HarmlessAttributes{"the mean colour of a pattern does not depend on it", "patternTransform"},
     HarmlessAttributes{
