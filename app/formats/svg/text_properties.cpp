@@ -105,6 +105,8 @@ bool setVariant(Properties& p, Word text, const Given& given)
 template <auto spacing>
 bool setSpacing(Properties& p, Word text, const Given& given)
 {
+    if (text.ends_with('%')) // of the viewport in SVG 1.1, of the font in CSS Text 4
+        return false;
     const auto length = meansWord(text, "normal") ? 0 : given.lengths.parse(text, p.fontSize);
     if (length)
         p.text.*spacing = *length;
@@ -261,6 +263,7 @@ constexpr std::array notEvaluated{
     NotEvaluated{"text-emphasis", "none"},
     NotEvaluated{"text-indent", "0 0px"},
     NotEvaluated{"text-orientation", "mixed"},
+    NotEvaluated{"text-rendering", "auto optimizelegibility geometricprecision"},
     NotEvaluated{"text-shadow", "none"},
     NotEvaluated{"unicode-bidi", "normal embed isolate plaintext"},
     NotEvaluated{"writing-mode", "lr lr-tb horizontal-tb"},

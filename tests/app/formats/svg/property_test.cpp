@@ -72,6 +72,7 @@ const std::map<std::string_view, const char*> samples{
     {"text-emphasis", "dot"},
     {"text-indent", "9px"},
     {"text-orientation", "upright"},
+    {"text-rendering", "optimizeSpeed"},
     {"text-shadow", "1px 1px red"},
     {"unicode-bidi", "bidi-override"},
     {"writing-mode", "vertical-rl"},

@@ -239,6 +239,10 @@ private slots:
         QVERIFY(reportOf(text("writing-mode='tb'", "one"))
                     .contains("use of the style property “writing-mode”"));
         QVERIFY(reportOf(text("x='1 nonsense'", "one")).contains("“x: nonsense”"));
+        QVERIFY(reportOf(text("letter-spacing='5%'", "one")).contains("“letter-spacing: 5%”"));
+        QVERIFY(reportOf(text("font-variant='small-caps'", "one")).contains("small capitals"));
+        QVERIFY(reportOf(text("textLength='0'", "one")).contains("attribute “textLength”"));
+        QVERIFY(reportOf(text("kerning='0'", "one")).contains("style property “kerning”"));
     }
 
     void hiddenAndConditionalParts()
