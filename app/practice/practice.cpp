@@ -95,7 +95,8 @@ void Practice::show()
         const QScopedValueRollback quiet(showing_, true);
         constexpr std::size_t last = -1;
         const std::size_t shown = atEnd() ? last : stepsShown();
-        shown == last ? microscope_.open(traced_, last) : microscope_.openCovered(traced_, shown);
+        shown == last ? microscope_.open(traced_, last)
+                      : microscope_.openCovered(traced_, shown, Sentences::Plain);
     }
     emit changed();
 }

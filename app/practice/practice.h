@@ -17,8 +17,9 @@ struct MoveAnswer {
 };
 
 /// An attempt at *Do it yourself*: the student plays an algorithm on a line that is drawn for the
-/// attempt. While a move is open the microscope has only the steps before it (openCovered), whoever
-/// opens it, and always the attempt's line. At the end it shows the whole trace.
+/// attempt. Until the end the microscope has only the steps before the open move (openCovered), in
+/// plain sentences, whoever opens it, and always the attempt's line. At the end it shows the whole
+/// trace.
 class Practice : public QObject {
     Q_OBJECT
 

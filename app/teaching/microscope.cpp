@@ -22,12 +22,14 @@ Narration firstSteps(Narration narration, std::size_t shown)
 void Microscope::open(const TracedLine& tracedLine, std::size_t step)
 {
     shown_.reset();
+    sentences_ = Sentences::Explained;
     show(tracedLine, step);
 }
 
-void Microscope::openCovered(const TracedLine& tracedLine, std::size_t shown)
+void Microscope::openCovered(const TracedLine& tracedLine, std::size_t shown, Sentences sentences)
 {
     shown_ = shown;
+    sentences_ = sentences;
     show(tracedLine, shown > 0 ? shown - 1 : 0);
 }
 
@@ -47,13 +49,16 @@ void Microscope::close()
         return;
     open_ = false;
     shown_.reset();
+    sentences_ = Sentences::Explained;
     emit openChanged();
 }
 
 void Microscope::setTracedLine(const TracedLine& tracedLine)
 {
     tracedLine_ = tracedLine;
-    narration_ = shown_ ? firstSteps(narrationOf(tracedLine_), *shown_) : narrationOf(tracedLine_);
+    narration_ = narrationOf(tracedLine_, sentences_);
+    if (shown_)
+        narration_ = firstSteps(std::move(narration_), *shown_);
     step_ = std::min(step_, std::max<std::size_t>(narration_.steps.size(), 1) - 1);
     emit tracedLineChanged();
 }

@@ -20,8 +20,10 @@ public:
     void open(const TracedLine& tracedLine, std::size_t step = 0);
     /// Opens a traced line about which a question is open: narration() has only the first `shown`
     /// steps and does not tell the result until the next open(), so that no view of the trace
-    /// reveals the answer. The last of these steps is current.
-    void openCovered(const TracedLine& tracedLine, std::size_t shown);
+    /// reveals the answer. The last of these steps is current. Plain sentences do not say what
+    /// follows from a step either.
+    void openCovered(const TracedLine& tracedLine, std::size_t shown,
+                     Sentences sentences = Sentences::Explained);
     bool isCovered() const { return shown_.has_value(); }
     void close();
 
@@ -52,6 +54,7 @@ private:
     std::size_t step_ = 0;
     std::optional<std::size_t> shown_; ///< the number of steps that are shown; empty: all
     bool open_ = false;
+    Sentences sentences_ = Sentences::Explained;
 };
 
 } // namespace app

@@ -144,7 +144,7 @@ clipping::Trace traceOf(const TracedLine& tracedLine)
 
 } // namespace
 
-Narration narrationOf(const TracedLine& tracedLine)
+Narration narrationOf(const TracedLine& tracedLine, Sentences sentences)
 {
     const auto& [algorithm, form, misprint] = tracedLine.variant;
     const std::string_view code = tracedLine.corners.empty() ? clipping::codeOf(*algorithm, form)
@@ -158,7 +158,9 @@ Narration narrationOf(const TracedLine& tracedLine)
     narration.outcome = trace.outcome;
     if (trace.outcome == clipping::Outcome::Visible)
         narration.visible = trace.visible;
-    const Teaching teaching = teachingOf(*algorithm);
+    Teaching teaching = teachingOf(*algorithm);
+    if (sentences == Sentences::Plain)
+        teaching.sentence = generalSentence;
     const auto lines = clipping::linesOf(code);
     const QStringList ends = endsIn(narration.code);
     const Step* before = nullptr;

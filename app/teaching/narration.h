@@ -49,7 +49,11 @@ struct Narration {
     std::optional<clipping::Segment> visible{}; ///< the result of the form's clip, bit for bit
     QString refusal{}; ///< why there are no steps: "x1 is not a number", "the window …"
 };
-Narration narrationOf(const TracedLine& tracedLine);
+
+/// How the sentences are: explained by the algorithm's own, which also say what follows from a
+/// step; or plain, which only fill the numbers into the line of the pseudo-code.
+enum class Sentences : std::uint8_t { Explained, Plain };
+Narration narrationOf(const TracedLine& tracedLine, Sentences sentences = Sentences::Explained);
 
 /// A variable's value for people: bits as an outcode, a truth value as yes or no.
 QString valueText(const Variable& variable);

@@ -115,6 +115,8 @@ void MoveInput::showMove()
     }
     setEnabled(practice_.asks());
     showDraft();
+    if (line_)
+        line_->selectAll(); // what is typed replaces it
 }
 
 /// A button for each bit, which shows it, with its question below.
@@ -232,7 +234,7 @@ void MoveInput::showDraft()
         const QSignalBlocker quiet(slider_);
         slider_->setValue(qRound(now * placesOfSlider));
     }
-    if (line_) {
+    if (line_ && line_->value() != int(now)) { // not while it is typed
         const QSignalBlocker quiet(line_);
         line_->setValue(int(now));
     }
@@ -264,7 +266,7 @@ void MoveInput::check()
         return practice_.check();
     const auto number = numberIn(value_->text());
     if (number)
-        return practice_.answer(*number);
+        return practice_.answer(*number.value);
     emit refused(Text::tr("“%1” is not a number. Type one, such as 0.25 or 1/4.")
                      .arg(value_->text().trimmed()));
 }

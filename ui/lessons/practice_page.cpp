@@ -46,6 +46,7 @@ QPushButton* pageButton(const QString& text, const QString& tip)
     auto* made = new QPushButton(text);
     made->setToolTip(tip);
     made->setMinimumHeight(space::toolButton);
+    made->setMinimumWidth(made->sizeHint().width() + 2 * space::labelToField);
     made->setAutoDefault(true); // Enter presses it
     return made;
 }

@@ -162,6 +162,9 @@ private slots:
                     QVERIFY(microscope.isCovered() && practice.asks());
                     QCOMPARE(microscope.narration().steps.size(), move.step);
                     QVERIFY(!microscope.narration().visible);
+                    const Narration plain = narrationOf(practice.tracedLine(), Sentences::Plain);
+                    for (std::size_t k = 0; k < move.step; ++k)
+                        QCOMPARE(microscope.narration().steps[k].sentence, plain.steps[k].sentence);
                     const QString right = answerText(move, move.right, YAxis::Up);
                     if (!saysNothing(move.prompt, move, right))
                         QFAIL(about(practice.tracedLine(), seed, move));

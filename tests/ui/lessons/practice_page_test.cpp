@@ -3,6 +3,7 @@
 #include "app/practice/plan.h"
 #include "app/practice/record.h"
 #include "app/practice/stage.h"
+#include "ui/lessons/lesson_panel.h"
 #include "ui/lessons/move_input.h"
 #include "ui/lessons/practice_page.h"
 #include "ui/microscope/answer_discs.h"
@@ -11,14 +12,13 @@
 #include "ui/microscope/microscope_view.h"
 #include "ui/microscope/place_mark.h"
 
-#include <QAction>
+#include <QApplication>
 #include <QLabel>
-#include <QMenu>
 #include <QSet>
-#include <QTimer>
+#include <QSettings>
+#include <QTemporaryDir>
 
 #include "tests/test_class.h"
-#include "tests/ui/test_window.h"
 
 namespace lessons_practice_page_test {
 
@@ -27,28 +27,28 @@ using app::Move, app::MoveKind;
 
 namespace {
 
-/// A window with an attempt at a variant.
-struct Workbench : TestWindow {
+/// The microscope's page with the lessons beside it, and an attempt at a variant.
+struct Workbench {
     explicit Workbench(const QString& variant = QStringLiteral("cs:published"))
     {
-        answers->answer = Questions::Answer::DontSave;
-        show();
-        window->showLessons();
-        practice().setSeed(5);
-        practice().begin(*app::findVariant(variant));
+        stage.setSide(new LessonPanel(session.course, session.practice));
+        stage.resize(1280, 760);
+        stage.show();
+        stage.activateWindow();
+        if (!QTest::qWaitForWindowActive(&stage))
+            QFAIL("the page does not become active");
+        practice.setSeed(5);
+        practice.begin(*app::findVariant(variant));
         page().focusNext();
         QCoreApplication::processEvents();
     }
-    app::Practice& practice() const { return window->session().practice; }
-    app::Microscope& microscope() const { return window->session().microscope; }
-    PracticePage& page() const { return *window->findChild<PracticePage*>(); }
-    MicroscopePage& stage() const { return *window->microscopePage(); }
+    PracticePage& page() const { return *stage.findChild<PracticePage*>(); }
     void press(int key) const { QTest::keyClick(QApplication::focusWidget(), Qt::Key(key)); }
     void type(const QString& text) const { QTest::keyClicks(QApplication::focusWidget(), text); }
     QSet<QString> texts() const
     {
         QSet<QString> all;
-        for (const auto* widget : window->findChildren<QWidget*>()) {
+        for (const auto* widget : stage.findChildren<QWidget*>()) {
             if (!widget->isVisible())
                 continue;
             all << widget->accessibleName() << widget->accessibleDescription() << widget->toolTip();
@@ -60,7 +60,7 @@ struct Workbench : TestWindow {
     /// Answers the current move with keys alone.
     void answerByKeys(double answer) const
     {
-        const Move& move = *practice().move();
+        const Move& move = *practice.move();
         switch (move.kind) {
         case MoveKind::Bits:
             for (int k = 0; k < move.bits.size(); ++k)
@@ -72,9 +72,9 @@ struct Workbench : TestWindow {
         case MoveKind::Decide:
             return press(Qt::Key_1 + int(answer));
         case MoveKind::Place:
-            while (*practice().draft() > answer + move.within / 2)
+            while (*practice.draft() > answer + move.within / 2)
                 press(Qt::Key_Left);
-            while (*practice().draft() < answer - move.within / 2)
+            while (*practice.draft() < answer - move.within / 2)
                 press(Qt::Key_Right);
             return press(Qt::Key_Return);
         case MoveKind::Line:
@@ -83,6 +83,12 @@ struct Workbench : TestWindow {
             return press(Qt::Key_Return);
         }
     }
+
+    app::Session session;
+    app::DrawnLine drawn{session};
+    MicroscopePage stage{session, drawn};
+    app::Practice& practice = session.practice;
+    app::Microscope& microscope = session.microscope;
 };
 
 } // namespace
@@ -100,17 +106,17 @@ private slots:
     void everyVariantIsPlayedByKeys()
     {
         for (const app::Variant& variant : app::practiceVariants()) {
-            const Workbench bench(app::keyOf(variant));
-            for (int k = 0; k < 60 && !bench.practice().atEnd(); ++k) {
-                const std::size_t index = bench.practice().index();
-                const QByteArray what = bench.practice().move()->prompt.toUtf8();
-                bench.answerByKeys(bench.practice().move()->right);
-                QVERIFY2(!bench.practice().isOpen(), what);
-                QVERIFY2(bench.practice().answerTo(index).rightAtOnce(), what);
+            Workbench bench(app::keyOf(variant));
+            for (int k = 0; k < 60 && !bench.practice.atEnd(); ++k) {
+                const std::size_t index = bench.practice.index();
+                const QByteArray what = bench.practice.move()->prompt.toUtf8();
+                bench.answerByKeys(bench.practice.move()->right);
+                QVERIFY2(!bench.practice.isOpen(), what);
+                QVERIFY2(bench.practice.answerTo(index).rightAtOnce(), what);
                 bench.press(Qt::Key_Return); // goes on
-                QVERIFY2(bench.practice().index() == index + 1, what);
+                QVERIFY2(bench.practice.index() == index + 1, what);
             }
-            QVERIFY(bench.practice().isPassed());
+            QVERIFY(bench.practice.isPassed());
             QCOMPARE(app::recordOf(QSettings(), variant), (app::PracticeRecord{100, true}));
         }
     }
@@ -119,10 +125,11 @@ private slots:
     void noTextSaysWhatComes()
     {
         for (const char* variant : {"cs:published", "lb", "nln", "skala:published", "md"}) {
-            const Workbench bench{QString::fromLatin1(variant)};
-            const app::Narration all = app::narrationOf(bench.practice().tracedLine());
-            for (; !bench.practice().atEnd(); bench.practice().next()) {
-                const std::size_t open = bench.practice().move()->step;
+            Workbench bench{QString::fromLatin1(variant)};
+            const app::Narration all =
+                app::narrationOf(bench.practice.tracedLine(), app::Sentences::Plain);
+            for (; !bench.practice.atEnd(); bench.practice.next()) {
+                const std::size_t open = bench.practice.move()->step;
                 QSet<QString> shown;
                 for (std::size_t k = 0; k < open; ++k)
                     shown << all.steps[k].sentence;
@@ -132,142 +139,108 @@ private slots:
                     QVERIFY2(shown.contains(all.steps[k].sentence)
                                  || !texts.contains(all.steps[k].sentence),
                              qPrintable(all.steps[k].sentence));
-                bench.practice().answer(bench.practice().move()->right);
+                bench.practice.answer(bench.practice.move()->right);
             }
         }
     }
     void aWrongAnswerGetsItsHintAndASecondTry()
     {
-        const Workbench bench;
-        const Move& move = *bench.practice().move();
+        Workbench bench;
+        const Move& move = *bench.practice.move();
         QCOMPARE(move.kind, MoveKind::Bits);
         const app::Mistake& mistake = move.mistakes.front();
         bench.answerByKeys(mistake.answer);
-        QVERIFY(bench.practice().isOpen());
-        QVERIFY(bench.practice().verdict().contains(mistake.hint));
-        QVERIFY(bench.microscope().isCovered());
-        bench.practice().answer(move.right);
-        QVERIFY(!bench.practice().isOpen() && bench.practice().rightAtOnce() == 0);
+        QVERIFY(bench.practice.isOpen());
+        QVERIFY(bench.practice.verdict().contains(mistake.hint));
+        QVERIFY(bench.microscope.isCovered());
+        bench.practice.answer(move.right);
+        QVERIFY(!bench.practice.isOpen() && bench.practice.rightAtOnce() == 0);
     }
     void theFigureAnswers()
     {
-        const Workbench bench;
+        Workbench bench;
         bool picked = false, placed = false;
-        while (!bench.practice().atEnd()) {
-            const Move& move = *bench.practice().move();
+        while (!bench.practice.atEnd()) {
+            const Move& move = *bench.practice.move();
             if (move.kind == MoveKind::Edge) {
-                const auto& answers = bench.stage().findChild<AnswerDiscs*>()->answers();
+                const auto& answers = bench.stage.findChild<AnswerDiscs*>()->answers();
                 QCOMPARE(answers.size(), 4U);
-                QTest::mouseClick(&bench.stage().view(), Qt::LeftButton, {},
+                QTest::mouseClick(&bench.stage.view(), Qt::LeftButton, {},
                                   answers[std::size_t(move.right) - 1].disc.toPoint());
-                picked = bench.practice().answerTo(bench.practice().index()).rightAtOnce();
+                picked = bench.practice.answerTo(bench.practice.index()).rightAtOnce();
                 QVERIFY(picked);
             } else if (move.kind == MoveKind::Place) {
-                const auto& [a, b] = bench.practice().tracedLine().line;
-                const QPointF at = bench.stage().view().frame().at(a + move.right * (b - a));
-                QTest::mouseClick(&bench.stage().view(), Qt::LeftButton, {}, at.toPoint());
-                QVERIFY(app::isRight(move, *bench.practice().draft()));
-                QVERIFY(bench.stage().findChild<PlaceMark*>()->isVisible());
-                bench.practice().check();
-                placed = bench.practice().answerTo(bench.practice().index()).rightAtOnce();
+                const auto& [a, b] = bench.practice.tracedLine().line;
+                const QPointF at = bench.stage.view().frame().at(a + move.right * (b - a));
+                QTest::mouseClick(&bench.stage.view(), Qt::LeftButton, {}, at.toPoint());
+                QVERIFY(app::isRight(move, *bench.practice.draft()));
+                QVERIFY(bench.stage.findChild<PlaceMark*>()->isVisible());
+                bench.practice.check();
+                placed = bench.practice.answerTo(bench.practice.index()).rightAtOnce();
                 QVERIFY(placed);
             } else {
-                bench.practice().answer(move.right);
+                bench.practice.answer(move.right);
             }
-            bench.practice().next();
+            bench.practice.next();
         }
         QVERIFY(picked && placed);
     }
     /// The lines between the moves are lit, the line that is asked for is not.
     void theCodeShowsWhatIsRunNow()
     {
-        const Workbench bench(QStringLiteral("lb:published"));
-        while (bench.practice().move()->kind != MoveKind::Line) {
-            bench.practice().answer(bench.practice().move()->right);
-            bench.practice().next();
+        Workbench bench(QStringLiteral("lb:published"));
+        while (bench.practice.move()->kind != MoveKind::Line) {
+            bench.practice.answer(bench.practice.move()->right);
+            bench.practice.next();
         }
-        const Move& move = *bench.practice().move();
-        QCOMPARE(bench.stage().code().currentLine(), move.line);
-        bench.practice().answer(5000);
-        QVERIFY(bench.practice().isOpen() && !bench.practice().verdict().isEmpty());
-        QVERIFY(bench.practice().answerTo(bench.practice().index()).tries.empty());
+        const Move& move = *bench.practice.move();
+        QCOMPARE(bench.stage.code().currentLine(), move.line);
+        bench.practice.answer(5000);
+        QVERIFY(bench.practice.isOpen() && !bench.practice.verdict().isEmpty());
+        QVERIFY(bench.practice.answerTo(bench.practice.index()).tries.empty());
     }
     void dragsAndOtherLinesDoNotUncover()
     {
-        const Workbench bench;
-        app::TracedLine other = bench.practice().tracedLine();
+        Workbench bench;
+        app::TracedLine other = bench.practice.tracedLine();
         other.line.a.x += 1;
-        bench.microscope().open(other, 100);
-        QVERIFY(bench.microscope().isCovered());
-        QCOMPARE(bench.microscope().tracedLine(), bench.practice().tracedLine());
-        bench.microscope().open(bench.practice().tracedLine(), 100);
-        QVERIFY(bench.microscope().isCovered());
-    }
-    void noCommandUncoversAMove()
-    {
-        static const QStringList leave{"quit",       "close",     "about-qt",  "print",
-                                       "experiment", "judge-own", "hard-cases"};
-        const Workbench bench;
-        QTimer closer;
-        connect(&closer, &QTimer::timeout, this, [] {
-            if (QWidget* waiting = QApplication::activePopupWidget()
-                                       ? QApplication::activePopupWidget()
-                                       : QApplication::activeModalWidget())
-                waiting->close();
-        });
-        closer.start(5);
-        int tried = 0;
-        for (QAction* action : bench.window->findChildren<QAction*>()) {
-            if (action->menu() || action->isSeparator() || !action->isEnabled()
-                || action->objectName().isEmpty() || leave.contains(action->objectName()))
-                continue;
-            if (!bench.practice().asks()) {
-                bench.window->showLessons();
-                bench.practice().begin(*app::findVariant(QStringLiteral("cs:published")));
-            }
-            const app::TracedLine line = bench.practice().tracedLine();
-            action->trigger();
-            bench.window->files().wait();
-            QCoreApplication::processEvents();
-            QVERIFY2(!bench.microscope().isOpen() || bench.microscope().isCovered()
-                         || bench.microscope().tracedLine().line != line.line,
-                     qPrintable(action->objectName()));
-            ++tried;
-        }
-        QVERIFY(tried > 60);
+        bench.microscope.open(other, 100);
+        QVERIFY(bench.microscope.isCovered());
+        QCOMPARE(bench.microscope.tracedLine(), bench.practice.tracedLine());
+        bench.microscope.open(bench.practice.tracedLine(), 100);
+        QVERIFY(bench.microscope.isCovered());
     }
     void theListKeepsTheAttempt()
     {
-        const Workbench bench;
+        Workbench bench;
         emit bench.page().listWanted();
-        QVERIFY(bench.practice().isPaused() && bench.microscope().isCovered());
-        bench.practice().goOn();
-        QVERIFY(bench.practice().asks());
-        bench.window->session().course.begin(0);
-        QVERIFY(!bench.practice().isOn() && bench.window->session().course.lesson());
-        bench.practice().begin(*app::findVariant(QStringLiteral("md")));
-        QVERIFY(!bench.window->session().course.lesson() && bench.practice().asks());
-        bench.press(Qt::Key_Escape);
-        QCoreApplication::processEvents();
-        QVERIFY(!bench.practice().isOn() && !bench.microscope().isOpen());
+        QVERIFY(bench.practice.isPaused() && bench.microscope.isCovered());
+        bench.practice.goOn();
+        QVERIFY(bench.practice.asks());
+        bench.session.course.begin(0);
+        QVERIFY(!bench.practice.isOn() && bench.session.course.lesson());
+        bench.practice.begin(*app::findVariant(QStringLiteral("md")));
+        QVERIFY(!bench.session.course.lesson() && bench.practice.asks());
+        bench.practice.end(); // what would show the answer is closed
+        QVERIFY(!bench.practice.isOn() && !bench.microscope.isOpen());
     }
     void theEndSaysWhereItWentWrong()
     {
-        const Workbench bench;
-        bench.practice().answer(bench.practice().move()->mistakes.front().answer);
-        while (!bench.practice().atEnd()) {
-            bench.practice().answer(bench.practice().move()->right);
-            bench.practice().next();
+        Workbench bench;
+        bench.practice.answer(bench.practice.move()->mistakes.front().answer);
+        while (!bench.practice.atEnd()) {
+            bench.practice.answer(bench.practice.move()->right);
+            bench.practice.next();
         }
-        QCOMPARE(bench.practice().wrongMoves(), std::vector<std::size_t>{0});
-        const QString correction = bench.practice().correction(0);
+        QCOMPARE(bench.practice.wrongMoves(), std::vector<std::size_t>{0});
+        const QString correction = bench.practice.correction(0);
         const auto labels = bench.page().findChildren<QLabel*>();
         QVERIFY(std::ranges::any_of(labels, [&](const QLabel* label) {
             return label->isVisible() && label->text() == correction;
         }));
-        QVERIFY(!bench.microscope().isCovered());
-        bench.practice().lookAt(0);
-        QCOMPARE(bench.microscope().step(), bench.practice().moves()[0].step);
+        QVERIFY(!bench.microscope.isCovered());
+        bench.practice.lookAt(0);
+        QCOMPARE(bench.microscope.step(), bench.practice.moves()[0].step);
     }
 
 private:
