@@ -10,9 +10,9 @@
 namespace app::svg {
 namespace {
 
-using Names = std::string_view; // separated by blanks
+using NameList = std::string_view; // separated by blanks
 
-constexpr Names readAttributes =
+constexpr NameList readAttributes =
     // of all elements
     "class href id requiredExtensions style systemLanguage xlink:href xml:space "
     // of shapes and viewports
@@ -30,7 +30,7 @@ constexpr Names readAttributes =
 
 struct HarmlessAttributes {
     std::string_view why;
-    Names names;
+    NameList names;
 };
 constexpr std::array harmlessAttributes{
     HarmlessAttributes{
@@ -86,7 +86,7 @@ constexpr std::array lostAttributes{
 std::vector<AttributeEffect> makeEffects()
 {
     std::vector<AttributeEffect> all(lostAttributes.begin(), lostAttributes.end());
-    const auto add = [&](Names names, AttributeEffect::Kind kind) {
+    const auto add = [&](NameList names, AttributeEffect::Kind kind) {
         for (std::size_t from = 0; from < names.size();) {
             const auto end = std::min(names.find(' ', from), names.size());
             all.push_back({names.substr(from, end - from), kind});
