@@ -88,6 +88,9 @@ private slots:
         const School school;
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(school.folder.path())});
+        QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(school.window.get(), &enter);
+        QVERIFY(enter.isAccepted());
         QDropEvent event(QPointF(9, 9), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(school.window.get(), &event);
         QVERIFY(event.isAccepted());
