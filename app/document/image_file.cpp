@@ -4,6 +4,7 @@
 #include <QBuffer>
 #include <QImageReader>
 #include <QLoggingCategory>
+#include <QtEndian>
 
 #include <array>
 #include <optional>
@@ -41,6 +42,19 @@ void quietenReaders()
     }();
 }
 
+/// Whether a PNG file has all its parts; libpng prints what is wrong with one that ends early.
+bool hasEnd(const QByteArray& png)
+{
+    constexpr qsizetype signature = 8, around = 12; // the size, the name and the checksum of a part
+    for (qsizetype at = signature; at + around <= png.size();) {
+        const QByteArrayView name = QByteArrayView(png).sliced(at + 4, 4);
+        at += around + qsizetype(qFromBigEndian<std::uint32_t>(png.constData() + at));
+        if (name == "IEND")
+            return at <= png.size();
+    }
+    return false;
+}
+
 bool isTooLarge(const QSize& size)
 {
     return size.width() > ImageFile::mostSide || size.height() > ImageFile::mostSide
@@ -57,6 +71,8 @@ std::variant<std::shared_ptr<const ImageFile>, ImageFault> imageFileOf(QByteArra
             continue;
         if (bytes.size() > ImageFile::mostBytes)
             return ImageFault::TooLarge;
+        if (kind.kind == ImageFile::Kind::Png && !hasEnd(bytes))
+            return ImageFault::Damaged;
         QBuffer buffer(&bytes);
         const QSize size = QImageReader(&buffer, kind.name).size();
         if (size.isEmpty())

@@ -26,6 +26,8 @@ Document contentOf(const ExportJob& job)
         content = onlyObjects(onlyImagesIn(std::move(content), layerOf(job.choice.area)), *objects);
     else if (format.hides == StoresHidden::No)
         content = withoutHidden(std::move(content));
+    if (format.holds != Holds::Paths)
+        content = onlyImagesIn(std::move(content), 0);
     const double tolerance = usualTolerance(content.page());
     return asHeld(std::move(content), format, tolerance);
 }

@@ -15,7 +15,7 @@ bool hasPoints(const clipping::Window& box)
     return box.min.x <= box.max.x && box.min.y <= box.max.y;
 }
 
-clipping::Window around(const std::vector<Point>& points)
+clipping::Window boxAroundAll(const std::vector<Point>& points)
 {
     clipping::Window box{Point(endless), Point(-endless)};
     for (const Point& point : points)
@@ -55,7 +55,7 @@ bool isCutExactly(const Underlay& image, const ClipRegion& region)
 {
     if (region.everything() || (region.single() && region.keep == Keep::Inside))
         return true;
-    return remainsOf(region, around(outlineOf(image))) != Remains::Pieces;
+    return remainsOf(region, boxAroundAll(outlineOf(image))) != Remains::Pieces;
 }
 
 } // namespace app

@@ -41,6 +41,23 @@ bool isSameView(const FrameKey& a, const FrameKey& b);
 /// size. Empty if the zoom is another, or if they have not moved by whole pixels.
 std::optional<QPoint> wholePixelsBetween(const FrameKey& a, const FrameKey& b);
 
+/// Counts the changes of images that are shown, for FrameKey::images.
+class ImageCount {
+public:
+    std::uint64_t follow(const std::vector<SeenUnderlay>& now)
+    {
+        if (now != last_) {
+            last_ = now;
+            ++count_;
+        }
+        return count_;
+    }
+
+private:
+    std::vector<SeenUnderlay> last_;
+    std::uint64_t count_ = 0;
+};
+
 /// Pieces that several owners read.
 using SharedPieces = std::shared_ptr<const std::vector<clipping::Clipped>>;
 

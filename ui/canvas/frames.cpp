@@ -76,11 +76,8 @@ const Frames::Images& Frames::images() const
 {
     if (const app::Document& now = session().now(); !sameAddress(now, images_.of)) {
         images_.of = now;
-        auto seen = seenUnderlays(now);
-        if (seen != images_.seen) {
-            images_.seen = std::move(seen);
-            ++images_.revision;
-        }
+        images_.seen = seenUnderlays(now);
+        images_.revision = images_.count.follow(images_.seen);
     }
     return images_;
 }

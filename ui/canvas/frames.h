@@ -60,6 +60,7 @@ private:
     struct Images { ///< of a document
         app::Document of;
         std::vector<app::SeenUnderlay> seen{};
+        app::ImageCount count{};
         std::uint64_t revision = 0;
     };
     const Images& images() const;

@@ -154,6 +154,7 @@ app::FrameWish ExportView::wish() const
                                 .pixelRatio = ratio},
                         .document = made_->drawing.document,
                         .lines = made_->lines};
+    wish.underlays = seenUnderlays(wish.document);
     wish.options.removed = app::RemovedPart::Hidden;
     wish.options.leastWidth = ratio < 1.5 ? 0.75 : 0.5;
     return wish;

@@ -71,6 +71,8 @@ app::FrameWish SheetArt::frameOf(const SheetWish& wish) const
                          .document = sheets_.drawing(),
                          .lines = lines,
                          .ghost = look_->ghost};
+    frame.underlays = seenUnderlays(frame.document);
+    frame.key.images = images_.follow(frame.underlays);
     frame.options.removed = wish.removed;
     if (look_->dark)
         frame.options.page = colourOf(look_->paper);

@@ -46,7 +46,7 @@ public:
     void forget();
 
 signals:
-    void painted();                               ///< one more picture is new
+    void painted();                                ///< one more picture is new
     void frameShown(const app::FrameTimes& times); ///< all of them are
 
 private:
@@ -62,6 +62,7 @@ private:
     std::uint64_t revision_ = 0;
     const Look* look_ = nullptr;
     double pixelRatio_ = 1;
+    mutable app::ImageCount images_; ///< of what is painted
     std::vector<Picture> pictures_;
     app::FrameTimes times_{};
     std::shared_ptr<app::FramePainter> painter_ = std::make_shared<app::FramePainter>();

@@ -19,7 +19,7 @@ bool isData(std::string_view address)
     return equalsIgnoringCase(address.substr(0, data.size()), data);
 }
 
-QByteArray bytesOf(std::string_view text)
+QByteArray rawBytes(std::string_view text)
 {
     return QByteArray::fromRawData(text.data(), qsizetype(text.size()));
 }
@@ -35,7 +35,7 @@ std::variant<QByteArray, const LossKind*> bytesWithin(std::string_view address)
     if (text.size() > mostText)
         return &losses::imageTooLarge;
     const bool isPlain = text.find('%') == text.npos;
-    const QByteArray plain = isPlain ? bytesOf(text) : bytesOf(text).percentDecoded();
+    const QByteArray plain = isPlain ? rawBytes(text) : rawBytes(text).percentDecoded();
     return head.ends_with(packed) ? QByteArray::fromBase64(plain)
                                   : QByteArray(plain.constData(), plain.size());
 }
@@ -70,7 +70,7 @@ ImageSource::Found ImageSource::fetch(std::string_view address)
 /// Links that lead out of the folder are not followed.
 std::variant<QByteArray, const LossKind*> ImageSource::bytesBeside(std::string_view address) const
 {
-    const QString path = QString::fromUtf8(bytesOf(address).percentDecoded());
+    const QString path = QString::fromUtf8(rawBytes(address).percentDecoded());
     if (folder_.isEmpty() || !leadsDown(path))
         return &losses::imageElsewhere;
     const QFileInfo info(QDir(folder_), path);
