@@ -59,7 +59,8 @@ private slots:
         QVERIFY(page.has_value());
         for (auto links = link.globalMatch(page->markdown); links.hasNext();) {
             const QString target = links.next().captured(1);
-            const bool known = target.startsWith("https://") || target.startsWith("sample:") || QFile::exists(":/manual/" + target)
+            const bool known = target.startsWith("https://") || target.startsWith("sample:")
+                               || QFile::exists(":/manual/" + target)
                                || !app::topicOfPage(target.section('#', 0, 0)).isEmpty();
             QVERIFY2(known, qPrintable(target));
         }

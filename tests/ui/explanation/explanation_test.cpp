@@ -384,6 +384,38 @@ private slots:
         reader.test.window->setTheme(Theme::Light);
     }
 
+    // Later, on another thread: until then there is an empty picture of the same size.
+    void samplesAreDrawn()
+    {
+        PageView page;
+        page.resize(700, 700);
+        page.QWidget::show();
+        QVERIFY(QTest::qWaitForWindowExposed(&page));
+        page.showManual(QStringLiteral("first-cut"));
+        const auto picture = [&page] {
+            for (QTextBlock block = page.document()->begin(); block.isValid(); block = block.next())
+                for (auto part = block.begin(); !part.atEnd(); ++part)
+                    if (const auto format = part.fragment().charFormat(); format.isImageFormat())
+                        return page.document()
+                            ->resource(QTextDocument::ImageResource,
+                                       QUrl(format.toImageFormat().name()))
+                            .value<QImage>();
+            return QImage();
+        };
+        const QSize size = picture().size();
+        QVERIFY(size.width() > 500);
+        const auto dark = [&] { // pixels, of a disc among others
+            const QImage now = picture();
+            int count = 0;
+            for (int y = 0; y < now.height(); ++y)
+                for (int x = 0; x < now.width(); ++x)
+                    count += qGray(now.pixel(x, y)) < 60;
+            return count;
+        };
+        QTRY_VERIFY(dark() > 200);
+        QCOMPARE(picture().size(), size);
+    }
+
     void aPageIsSavedAsPdf()
     {
         Reader reader;
