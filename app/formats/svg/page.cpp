@@ -17,7 +17,7 @@ constexpr Length wholeWidth{100, Unit::Percent}; // SVG's default for a missing 
 Length readSize(std::string_view name, std::string_view text, Report& report)
 {
     const auto length = parseLength(text);
-    const auto value = Lengths{}.parse(text, 1);
+    const auto value = length ? std::optional(length->value) : Lengths{}.parse(text, 1);
     report.add(losses::emptyPage, value && *value <= 0);
     if (!value && !trimmed(text).empty() && !equalsIgnoringCase(trimmed(text), "auto"))
         report.add(losses::value, std::string(name) + ": " + std::string(text));
