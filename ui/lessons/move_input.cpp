@@ -8,6 +8,7 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
+#include "ui/widgets/look_label.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -45,6 +46,21 @@ protected:
         return QSlider::event(event);
     }
 };
+
+/// Where else than here a move of a kind is answered; empty: nowhere.
+QString elsewhere(app::MoveKind kind)
+{
+    switch (kind) {
+    case app::MoveKind::Edge:
+        return Text::tr("You can also click it in the figure.");
+    case app::MoveKind::Place:
+        return Text::tr("You can also click the place on the line in the figure.");
+    case app::MoveKind::Line:
+        return Text::tr("You can also click the line in the pseudo-code.");
+    default:
+        return {};
+    }
+}
 
 /// A number as it is typed, also "3/4"; the decimal mark is a point, or that of the locale.
 app::Result<double> numberIn(QString text)
@@ -114,6 +130,11 @@ void MoveInput::showMove()
         break;
     }
     setEnabled(practice_.asks());
+    if (const QString way = elsewhere(move->kind); practice_.asks() && !way.isEmpty()) {
+        QLabel* also = quietLabel(way);
+        also->setWordWrap(true);
+        add(also);
+    }
     showDraft();
     if (line_)
         line_->selectAll(); // what is typed replaces it

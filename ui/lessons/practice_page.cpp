@@ -15,6 +15,7 @@
 #include <QAccessible>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QSettings>
 #include <QToolButton>
@@ -49,6 +50,13 @@ QPushButton* pageButton(const QString& text, const QString& tip)
     made->setMinimumWidth(made->sizeHint().width() + 2 * space::labelToField);
     made->setAutoDefault(true); // Enter presses it
     return made;
+}
+
+/// Points are not broken over two lines: "(−160, −30)".
+QString withWholePoints(QString text)
+{
+    static const QRegularExpression comma(QStringLiteral("(?<=\\d)([,;]) (?=[\\d\u2212])"));
+    return text.replace(comma, QStringLiteral("\\1\u00a0"));
 }
 
 void wrap(QLabel& label)
@@ -196,7 +204,7 @@ void PracticePage::showAttempt()
 
 void PracticePage::showMove()
 {
-    prompt_->setText(practice_.move()->prompt);
+    prompt_->setText(withWholePoints(practice_.move()->prompt));
     input_->showMove();
     const bool open = practice_.isOpen();
     const app::MoveAnswer& given = practice_.answerTo(practice_.index());
