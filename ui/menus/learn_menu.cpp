@@ -113,6 +113,7 @@ MenuInfo learnMenu()
                     .keys = {QKeySequence("F8")},
                     .run = [](MainWindow& w) { inspectNext(w, 1); },
                     .enabled = someLines,
+                    .submenu = Text::tr("Inspect a l&ine"),
                 },
                 {
                     .key = "previous-line",
@@ -120,6 +121,7 @@ MenuInfo learnMenu()
                     .keys = {QKeySequence("Shift+F8")},
                     .run = [](MainWindow& w) { inspectNext(w, -1); },
                     .enabled = someLines,
+                    .submenu = Text::tr("Inspect a l&ine"),
                 },
                 {},
                 {
