@@ -7,6 +7,7 @@
 #include "app/teaching/manual.h"
 
 #include <QRegularExpression>
+#include <QSet>
 
 #include <algorithm>
 #include <optional>
@@ -103,20 +104,24 @@ QString wordOn(const HelpPage& page, const QString& typed)
     return meant != typed && isThere(meant) ? meant : QString();
 }
 
-/// Each word, or the program's word for it, is somewhere on the page. They are in lower case.
-std::optional<Found> inText(const QStringList& words, const HelpPage& page)
+/// Each word, or the program's word for it, is somewhere on the page, apart from as many as may be
+/// missing. They are in lower case.
+std::optional<Found> inText(const QStringList& words, const HelpPage& page, qsizetype mayMiss)
 {
     int places = 0;
-    qsizetype first = -1; // of the first word
+    qsizetype first = -1, missing = 0; // the place of the first word that is there
     for (const QString& typed : words) {
         const QString word = wordOn(page, typed);
-        if (word.isEmpty())
+        if (word.isEmpty() && ++missing > mayMiss)
             return std::nullopt;
+        if (word.isEmpty())
+            continue;
         places += int(page.small.count(word));
-        if (&typed == &words.front())
+        if (first < 0)
             first = page.small.indexOf(word);
     }
-    return Found{std::min(places, mostPlaces), first < 0 ? QString() : excerpt(page.text, first)};
+    return Found{std::min(places, mostPlaces) - int(missing) * mostPlaces,
+                 first < 0 ? QString() : excerpt(page.text, first)};
 }
 
 std::optional<Found> find(const QString& typed, const QStringList& words, const HelpPage& page,
@@ -126,7 +131,23 @@ std::optional<Found> find(const QString& typed, const QStringList& words, const 
         return Found{titleScore + match->score, {}};
     if (auto found = inCommands(typed, page, commands))
         return found;
-    return inText(words, page);
+    return inText(words, page, 0);
+}
+
+/// What is sought in a question: "how to turn something" is about to turn.
+QStringList wordsSought(const QString& typed)
+{
+    static const QSet<QString> fillers{
+        "a",    "an",    "and",  "are",  "by",   "can",   "do",    "does",      "for",
+        "from", "get",   "how",  "i",    "in",   "into",  "is",    "it",        "make",
+        "my",   "of",    "on",   "onto", "or",   "so",    "some",  "something", "that",
+        "the",  "thing", "this", "to",   "what", "where", "which", "with"};
+    const QStringList all = typed.toLower().split(u' ', Qt::SkipEmptyParts);
+    QStringList words;
+    for (const QString& word : all)
+        if (!fillers.contains(word))
+            words << word;
+    return words.isEmpty() ? all : words;
 }
 
 } // namespace
@@ -139,15 +160,20 @@ const std::vector<HelpPart>& helpContents()
 
 std::vector<HelpHit> searchHelp(const QString& typed, const HelpCommands& commands)
 {
-    const QString sought = typed.left(mostLetters).simplified();
-    const QStringList words = sought.toLower().split(u' ', Qt::SkipEmptyParts);
+    const QStringList words = wordsSought(typed.left(mostLetters).simplified());
     if (words.isEmpty())
         return {};
+    const QString sought = words.join(u' ');
     std::vector<std::pair<int, HelpHit>> found;
-    for (const HelpPart& part : helpContents())
-        for (const HelpPage& page : part.pages)
-            if (const auto hit = find(sought, words, page, commands))
-                found.push_back({hit->score, {&page, hit->why}});
+    const auto collect = [&](const auto& hitOn) {
+        for (const HelpPart& part : helpContents())
+            for (const HelpPage& page : part.pages)
+                if (const std::optional<Found> hit = hitOn(page))
+                    found.push_back({hit->score, {&page, hit->why}});
+    };
+    collect([&](const HelpPage& page) { return find(sought, words, page, commands); });
+    for (qsizetype missing = 1; found.empty() && missing <= words.size() / 2; ++missing)
+        collect([&](const HelpPage& page) { return inText(words, page, missing); });
     std::ranges::stable_sort(found, std::greater(), &std::pair<int, HelpHit>::first);
     std::vector<HelpHit> hits;
     for (auto& [score, hit] : found)

@@ -40,9 +40,10 @@ struct HelpHit {
     QString why;          ///< the command that fits, or the words around the first place; or empty
 };
 
-/// The pages that have each typed word, or the program's word for it, in their title, in the name
-/// or the keys of a command that they explain, or in their text; in this order, and of the last the
-/// one with most places first.
+/// The pages that have each typed word that says something, or the program's word for it, in their
+/// title, in the name or the keys of a command that they explain, or in their text; in this order,
+/// and of the last the one with most places first. If there is none, those that lack the fewest
+/// words, at most half.
 std::vector<HelpHit> searchHelp(const QString& typed, const HelpCommands& commands);
 
 } // namespace app

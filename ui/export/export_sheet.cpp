@@ -15,6 +15,8 @@
 #include "ui/widgets/buttons.h"
 #include "ui/widgets/look_label.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPointer>
@@ -116,7 +118,8 @@ void ExportSheet::follow()
     if (const app::ExportChoice choice = live_->job().choice; choice.area != named_) {
         named_ = choice.area;
         if (file_->text() == proposed_)
-            propose(files_.exportProposal(choice));
+            propose(QFileInfo(path()).dir().filePath(
+                QFileInfo(files_.exportProposal(choice)).fileName()));
     }
     area_->follow();
     options_->follow();

@@ -99,11 +99,22 @@ void ResultSection::showFacts()
     const app::ExportFacts facts = made ? made->facts : app::ExportFacts();
     put(*paths_, pathsText(facts, session_.now().objects().size()));
     put(*length_, bold(drawnText(facts.length)));
-    put(*size_, bold(app::sizeText(facts.paper, app::Unit::Mm, 1)));
+    put(*size_, bold(app::sizeText(facts.paper, app::Unit::Mm, 1)) + realSizeText(facts));
     put(*pixels_,
         bold(Text::tr("%1 × %2 pixels")
                  .arg(app::numberText(facts.pixels.x, 0), app::numberText(facts.pixels.y, 0))));
     pixelsRow_.setVisible(app::formatOf(live_.choice()).takes.dpi);
+}
+
+/// DXF has real lengths, which are others at a scale: "8 × 6.2 m in the file".
+QString ResultSection::realSizeText(const app::ExportFacts& facts) const
+{
+    const app::Page& page = session_.now().page();
+    if (!app::formatOf(live_.choice()).takes.dxf || page.scale.ratio == 1)
+        return {};
+    return QStringLiteral("<br>")
+           + Text::tr("<b>%1</b> in the file, which has real lengths")
+                 .arg(app::sizeText(facts.paper * page.scale.ratio, page.usualUnit(), 1));
 }
 
 void ResultSection::showLosses()

@@ -23,6 +23,7 @@ public:
 private:
     QLabel* addFact(const QString& name, const char* key);
     void showFacts();
+    QString realSizeText(const app::ExportFacts& facts) const;
     void showLosses();
 
     app::Session& session_;

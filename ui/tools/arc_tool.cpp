@@ -100,6 +100,8 @@ public:
     }
     void accept(const app::GestureEnd& end, Workbench& bench) override
     {
+        if (arc_.points.empty())
+            arc_.byCentre = isByCentre(bench);
         if (arc_.points.size() < 2)
             return place(end.point, bench);
         arc_.to = end.point;

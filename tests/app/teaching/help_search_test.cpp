@@ -72,6 +72,22 @@ private slots:
                  QStringLiteral("Crop to windows (Ctrl+Shift+X)"));
     }
 
+    void questionsAreAnswered()
+    {
+        const auto isAmongFirst = [](const QString& question, const char* page) {
+            return links(question)
+                .first(std::min<qsizetype>(3, links(question).size()))
+                .contains(QString(page));
+        };
+        QVERIFY(isAmongFirst("how to turn something", "transform.md"));
+        QVERIFY(isAmongFirst("make the paper bigger", "page.md"));
+        QVERIFY(isAmongFirst("get the drawing into a laser cutter", "export.md"));
+        QVERIFY(isAmongFirst("how do I print on several sheets", "printing.md"));
+        QCOMPARE(links("how to"), links("how to")); // nothing but fillers is sought as it is
+        QVERIFY(links("print zzyzx").contains("printing.md")); // of two words one may be missing
+        QVERIFY(links("zzyzx").isEmpty() && links("the zzyzx").isEmpty());
+    }
+
     void keysAreFoundWhole()
     {
         QCOMPARE(links("Ctrl+G").value(0), QStringLiteral("groups.md"));

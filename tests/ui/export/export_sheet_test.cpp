@@ -119,6 +119,33 @@ private slots:
         t.press("export-layer");
         QCOMPARE(name(), QString("mine.png"));
     }
+    void anotherAreaStaysInTheFolderOfTheLastExport()
+    {
+        Desk t;
+        t.openSheet();
+        QVERIFY(QDir(t.path({})).mkdir("out"));
+        t.press("export-page");
+        t.write(t.path("out/page.svg"));
+        t.openSheet();
+        t.press("export-layer");
+        const QString file = t.part<QLineEdit>("export-file").text();
+        QCOMPARE(QFileInfo(file).dir().dirName(), QString("out"));
+        QVERIFY2(file.endsWith("-Lines.svg") || file.endsWith("-Logo.svg"), qPrintable(file));
+    }
+    void dxfSaysItsRealSize()
+    {
+        Desk t;
+        app::Page page = t.window->session().now().page();
+        page.scale = {50, app::Unit::Metre};
+        page.size *= 50.0;
+        t.window->session().document.apply({.page = page});
+        t.openSheet();
+        t.press("export-page");
+        QVERIFY(!t.text("export-size").contains("real"));
+        t.press("export-as-dxf");
+        QVERIFY2(t.text("export-size").contains(" m</b> in the file, which has real lengths"),
+                 qPrintable(t.text("export-size")));
+    }
     void aPartOfAnotherDrawingIsNotRemembered()
     {
         for (const auto& [kept, next] : {std::pair(app::ExportPart::Layer, app::ExportPart::Cut),

@@ -110,6 +110,15 @@ private slots:
         hand.clickThrice({50, 50}, {70, 50}, {50, 30}); // still by its centre
         QVERIFY(hand.isNear(hand.paths(1).front().segments.back().to, {50, 30}));
     }
+    void theWayThatIsChosenInTheBarHoldsForTypedPoints()
+    {
+        ArcHand hand;
+        hand.canvas.keepNumbers("arc", {1.0}); // as the options bar does
+        hand.type("50,50\n20<30\n-120\n");
+        QCOMPARE(hand.count(), std::size_t(1));
+        QVERIFY(same(hand.path().start, {50 + 10 * std::sqrt(3.0), 40}));
+        QVERIFY(same(hand.end(), {50, 70}));
+    }
     void escKeepsTheWayOfDrawing()
     {
         for (const bool byCentre : {false, true}) {
@@ -119,8 +128,8 @@ private slots:
             hand.click({10, 10});
             Hand::key(Qt::Key_Escape);
             hand.clickThrice({50, 50}, {70, 50}, {50, 30});
-            QVERIFY(hand.isNear(hand.path().start,
-                                byCentre ? app::Point(70, 50) : app::Point(50, 50)));
+            QVERIFY(
+                hand.isNear(hand.path().start, byCentre ? app::Point(70, 50) : app::Point(50, 50)));
         }
     }
     void altAtTheFirstClickIsTheCentreOnce()
