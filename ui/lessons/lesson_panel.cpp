@@ -255,7 +255,8 @@ void LessonPanel::showPractice()
     practicePage_->showAttempt();
     setCurrentWidget(practicePage_);
     setFocusProxy(practicePage_);
-    if (here)
+    const bool stays = practice_.atEnd() && here && focus->isVisible(); // among the wrong moves
+    if (here && !stays)
         practicePage_->focusNext();
 }
 

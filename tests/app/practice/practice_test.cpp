@@ -157,12 +157,12 @@ private slots:
                 Practice practice(microscope, course);
                 practice.setSeed(seed);
                 practice.begin(variant);
+                const Narration plain = narrationOf(practice.tracedLine(), Sentences::Plain);
                 for (; !practice.atEnd(); practice.next()) {
                     const Move& move = *practice.move();
                     QVERIFY(microscope.isCovered() && practice.asks());
                     QCOMPARE(microscope.narration().steps.size(), move.step);
                     QVERIFY(!microscope.narration().visible);
-                    const Narration plain = narrationOf(practice.tracedLine(), Sentences::Plain);
                     for (std::size_t k = 0; k < move.step; ++k)
                         QCOMPARE(microscope.narration().steps[k].sentence, plain.steps[k].sentence);
                     const QString right = answerText(move, move.right, YAxis::Up);

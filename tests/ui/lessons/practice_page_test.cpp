@@ -239,8 +239,13 @@ private slots:
             return label->isVisible() && label->text() == correction;
         }));
         QVERIFY(!bench.microscope.isCovered());
-        bench.practice.lookAt(0);
+        const auto buttons = bench.page().findChildren<QPushButton*>();
+        auto* look = *std::ranges::find(buttons, QStringLiteral("Show this step in the microscope"),
+                                        &QPushButton::toolTip);
+        look->setFocus();
+        bench.press(Qt::Key_Return);
         QCOMPARE(bench.microscope.step(), bench.practice.moves()[0].step);
+        QVERIFY(look->hasFocus()); // the next one is one Tab away
     }
 
 private:
