@@ -73,8 +73,8 @@ bool Bench::run(std::size_t r)
     finding_ = r == 0;
     begin();
     const std::uint64_t counted = r < options_.warmUps ? 0 : r - options_.warmUps;
-    const LineSource source =
-        options_.scene.begin(options_.field, options_.seed + options_.firstRun + counted);
+    const std::uint64_t further = options_.sameLines ? 0 : options_.firstRun + counted;
+    const LineSource source = options_.scene.begin(options_.field, options_.seed + further);
     for (first_ = 0; first_ < options_.lines; first_ += blockSize) {
         fill(source);
         for (std::size_t i = 0; i < timings_.size(); ++i) {

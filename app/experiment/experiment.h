@@ -25,6 +25,7 @@ struct ExperimentOptions {
     std::size_t threads = 1;                 ///< for each algorithm; at most mostThreads
     Clock clock = processorClock();          ///< the wall clock if there are several threads
     bool inProcesses = false;                ///< each run was made by a process of its own
+    bool sameLines = false;                  ///< in all runs, for who compares their results
 };
 
 /// The clock for drawing: that of the options, or the wall clock if the draw target draws

@@ -113,6 +113,7 @@ void race(int out, const Library& library, const QStringList& arguments)
     options.lines = arguments.value(0).toULongLong();
     options.runs = arguments.value(1).toULongLong();
     options.seed = arguments.value(2).toULongLong();
+    options.sameLines = true; // RaceCheck compares the runs
     RaceCheck checking({.strictness = strictnessOf(arguments.value(3))});
     check = &checking;
     options.clock = checking.clock();

@@ -191,6 +191,7 @@ private slots:
             "JoinDialog",        //
             "WaitingDialog",     //
             "ExportStepsDialog", //
+            "LineNumber",        // only while the next line is asked
             "PlaceSlider",       // only while the place of a cut is asked
             "PointerMark",       // only while steps are shown (tests/ui/showing)
             "Desk",    // holds windows, as the next one; editor/desk_test.cpp looks at both

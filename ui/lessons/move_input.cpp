@@ -47,6 +47,16 @@ protected:
     }
 };
 
+/// A number that what is typed replaces.
+class LineNumber : public QSpinBox {
+protected:
+    void focusInEvent(QFocusEvent* event) override
+    {
+        QSpinBox::focusInEvent(event);
+        selectAll();
+    }
+};
+
 /// Where else than here a move of a kind is answered; empty: nowhere.
 QString elsewhere(app::MoveKind kind)
 {
@@ -136,8 +146,6 @@ void MoveInput::showMove()
         add(also);
     }
     showDraft();
-    if (line_)
-        line_->selectAll(); // what is typed replaces it
 }
 
 /// A button for each bit, which shows it, with its question below.
@@ -215,7 +223,7 @@ void MoveInput::showPlace()
 
 void MoveInput::showLine()
 {
-    line_ = new QSpinBox;
+    line_ = new LineNumber;
     line_->setRange(0, int(app::codeOf(practice_.tracedLine().variant).size()));
     line_->setSpecialValueText(Text::tr("none"));
     line_->setPrefix(Text::tr("line "));

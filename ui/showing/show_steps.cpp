@@ -83,8 +83,19 @@ void begin(MainWindow& shown)
     shown.session().changeDisplay([](app::Display& display) { display.grid.shown = false; });
 }
 
+constexpr const char* shownFrom = "shownFrom"; // a property of a window that shows steps
+
+/// The person's own drawing: a show may be asked for in the drawing of another one.
+QPointer<MainWindow> ownOf(MainWindow& asking)
+{
+    const QVariant from = asking.property(shownFrom);
+    return from.isValid() ? qobject_cast<MainWindow*>(from.value<QPointer<QObject>>().data())
+                          : &asking;
+}
+
 void play(MainWindow& shown, const QPointer<MainWindow>& from, const app::ShownSteps& steps)
 {
+    shown.setProperty(shownFrom, QVariant::fromValue(QPointer<QObject>(from.data())));
     begin(shown);
     auto* player = new StepPlayer(shown, steps.steps);
     // What was shown is no work of the person, so nothing asks to save it.
@@ -143,12 +154,12 @@ QString showSteps(MainWindow& from, const app::ManualPage& page)
     if (!shown)
         return {};
     shown->window()->activateWindow();
-    shown->files().openMade(std::move(drawing), Text::tr("Shown: %1").arg(page.title),
-                            [shown = QPointer(shown), from = QPointer(&from),
-                             steps = *steps.value](app::Session* opened) {
-                                if (shown && opened)
-                                    play(*shown, from, steps);
-                            });
+    shown->files().openMade(
+        std::move(drawing), Text::tr("Shown: %1").arg(page.title),
+        [shown = QPointer(shown), from = ownOf(from), steps = *steps.value](app::Session* opened) {
+            if (shown && opened)
+                play(*shown, from, steps);
+        });
     return {};
 }
 

@@ -174,9 +174,12 @@ private:
         return shownBy(widget, painted(widget));
     }
 
-    /// Lists and pages of text remember how far a person has scrolled.
+    /// Lists and pages of text remember how far a person has scrolled, and the columns of differing
+    /// lines fit the first ones, so that they stay while the window moves.
     static void scrollBack(QWidget& window)
     {
+        for (auto* table : window.findChildren<DenseTable*>())
+            table->resizeColumnsToContents();
         for (auto* view : window.findChildren<QAbstractItemView*>())
             view->scrollToTop();
         for (auto* text : window.findChildren<QTextEdit*>())

@@ -303,6 +303,28 @@ private slots:
         QVERIFY(own.workspace().key == "workspace-cut");
     }
 
+    void aShowInTheDrawingOfAnotherGivesBackTheOwnWorkspace()
+    {
+        TestDesk home;
+        MainWindow& own = home.desk->current();
+        own.choose(findWorkspace("workspace-draw"));
+        own.canvas().setTool("line");
+        MainWindow* from = &own;
+        for (int show = 0; show < 2; ++show) {
+            QCOMPARE(showSteps(*from, pageOf("new\ncommand snap\nends objects 0")), QString());
+            settle(home.desk->current());
+            from = &home.desk->current();
+            playAll(
+                *from->findChild<StepPlayer*>(), *from, [](std::size_t) {}, [](std::size_t) {});
+        }
+        QCOMPARE(home.desk->count(), 3);
+        from->findChild<MessageStrip*>()->findChild<QPushButton*>()->click();
+        QCoreApplication::processEvents();
+        QCOMPARE(home.desk->count(), 2);
+        QVERIFY(home.desk->current().workspace().key == "workspace-draw");
+        QCOMPARE(home.desk->current().canvas().tool(), std::string_view("line"));
+    }
+
     void theHelpOffersIt()
     {
         TestDesk home;
