@@ -32,7 +32,10 @@ public:
     template <class Widget = QWidget>
     Widget& part(const char* name)
     {
-        auto* found = window->findChild<Widget*>(name);
+        // A sheet that was closed may be there still.
+        auto* found = window->sheet() ? window->sheet()->findChild<Widget*>(name) : nullptr;
+        if (!found)
+            found = window->findChild<Widget*>(name);
         if (!found)
             qFatal("there is no %s", name);
         return *found;
