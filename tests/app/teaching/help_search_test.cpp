@@ -109,10 +109,11 @@ private slots:
         }
     }
 
-    void everyWordMustBeThere()
+    void everyWordMustBeThereIfAnyPageHasAll()
     {
         QVERIFY(links("grid isometric").contains("grid.md"));
-        QVERIFY(links("grid zebra").isEmpty());
+        QVERIFY(links("grid isometric").size() < links("grid").size());
+        QVERIFY(links("grid zebra") != links("zebra") && links("zebra yak grid").isEmpty());
         for (const QString& nothing : {QString(), QStringLiteral("  "), QStringLiteral("xyzzy")})
             QVERIFY(links(nothing).isEmpty());
     }

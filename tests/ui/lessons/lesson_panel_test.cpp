@@ -30,7 +30,7 @@ struct Stage {
     ui::LessonList& list() { return *panel.findChild<ui::LessonList*>(); }
     QPushButton& button(const QString& text) const
     {
-        const auto buttons = panel.findChildren<QPushButton*>();
+        const auto buttons = panel.currentWidget()->findChildren<QPushButton*>();
         return **std::ranges::find(buttons, text, &QPushButton::text);
     }
     const QLabel& label(const QString& text) const
@@ -133,7 +133,8 @@ private slots:
         Stage stage;
         QTest::mouseClick(stage.list().buttons()[0], Qt::LeftButton);
         QVERIFY(stage.says("Lesson 1") && stage.says("Why clip a line?") && stage.says("1 of 9"));
-        QCOMPARE(stage.panel.findChild<ui::PageDots*>()->accessibleName(), "Page 1 of 9");
+        QCOMPARE(stage.panel.currentWidget()->findChild<ui::PageDots*>()->accessibleName(),
+                 "Page 1 of 9");
         const double type = QFontInfo(stage.panel.font()).pixelSize();
         QVERIFY(QFontInfo(stage.label("Why clip a line?").font()).pixelSize() >= 1.9 * type);
         QVERIFY(stage.choices().firstOpen()->hasFocus()); // Enter or a digit answers
@@ -186,7 +187,7 @@ private slots:
                 QVERIFY2(text.width() <= choice->width() && text.height() <= choice->height(),
                          qPrintable(choice->text()));
             }
-            const auto* dots = stage.panel.findChild<ui::PageDots*>();
+            const auto* dots = stage.panel.currentWidget()->findChild<ui::PageDots*>();
             QCOMPARE(dots->isVisible(), width > 330);
             QVERIFY(!dots->isVisible() || dots->width() >= dots->minimumSizeHint().width());
             if (width == 480) // at others only with the narrower buttons of the program's style
