@@ -223,11 +223,11 @@ void DifferencePanel::follow()
     choose(line ? model_.rowOf(*line) : -1);
 }
 
-/// Fits the columns to the first results of a comparison; they then stay, also while the window
-/// moves.
+/// Fits the columns to the first results of a comparison at a window; they then stay, also while
+/// the window moves.
 void DifferencePanel::fitColumns()
 {
-    const std::pair shown(wanted(), session_.display().unit);
+    const Fitting shown{wanted(), session_.compared().number, session_.display().unit};
     if (model_.rowCount() == 0 || fittedTo_ == shown)
         return;
     fittedTo_ = shown;
@@ -235,6 +235,12 @@ void DifferencePanel::fitColumns()
         table_->resizeColumnToContents(column);
         table_->setColumnWidth(column, std::min(table_->columnWidth(column), mostColumnWidth));
     }
+}
+
+void DifferencePanel::fitColumnsAnew()
+{
+    fittedTo_.reset();
+    fitColumns();
 }
 
 void DifferencePanel::paintSummary()

@@ -30,6 +30,7 @@ public:
     void compare(const app::Variant& a, const app::Variant& b);
     /// Moves by so many rows in the list of differences; wraps around at its ends.
     void go(int rows);
+    void fitColumnsAnew(); ///< to what is shown now
 
     QSize sizeHint() const override;
 
@@ -67,8 +68,14 @@ private:
     QLabel* position_;
     QToolButton *previous_, *next_;
     DenseTable* table_;
-    /// The comparison whose texts the columns were fitted to.
-    std::optional<std::pair<app::Comparison, app::Unit>> fittedTo_;
+    /// What is compared, where, and in which unit.
+    struct Fitting {
+        app::Comparison comparison;
+        std::optional<std::size_t> window; ///< its number; empty: the page
+        app::Unit unit;
+        friend bool operator==(const Fitting&, const Fitting&) = default;
+    };
+    std::optional<Fitting> fittedTo_; ///< to whose texts the columns were fitted
     QTimer soon_; ///< follow(), after the next frame
     bool following_ = false;
 };

@@ -46,11 +46,12 @@ public:
             if (all_[i].open && makers_[i].isShown)
                 all_[i].open->setVisible(makers_[i].isShown(desk));
         elsewhere_.activateWindow(); // what is shown takes the keyboard
+        if (!settle())
+            found << "They do not come to rest.";
         for (const Pair& one : all_)
             if (one.open)
                 scrollBack(*one.open);
-        if (!settle())
-            found << "They do not come to rest.";
+        settle();
         const auto differences = desk.session.differences.asked();
         const auto exactness = desk.session.exactness.asked();
         // First all of them: what is made fresh may tell the others to look again.
@@ -175,11 +176,11 @@ private:
     }
 
     /// Lists and pages of text remember how far a person has scrolled, and the columns of differing
-    /// lines fit the first ones, so that they stay while the window moves.
+    /// lines what they were fitted to, so that they stay while the window moves.
     static void scrollBack(QWidget& window)
     {
-        for (auto* table : window.findChildren<DenseTable*>())
-            table->resizeColumnsToContents();
+        if (auto* panel = qobject_cast<DifferencePanel*>(&window))
+            panel->fitColumnsAnew();
         for (auto* view : window.findChildren<QAbstractItemView*>())
             view->scrollToTop();
         for (auto* text : window.findChildren<QTextEdit*>())
