@@ -29,7 +29,7 @@ void DashList::follow(std::span<const app::Style> styles)
 {
     const auto same = app::common(styles, app::patternOf);
     const auto pattern = same.value_or(std::nullopt);
-    setPlaceholderText(same ? Text::tr("own", "dashes") : Text::tr("mixed"));
+    setPlaceholderText(pattern ? QString() : same ? Text::tr("own", "dashes") : Text::tr("mixed"));
     setCurrentIndex(pattern ? int(*pattern) : -1);
 }
 
