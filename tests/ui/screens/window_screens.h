@@ -232,10 +232,10 @@ inline void addWindows(std::vector<Screen>& screens)
     screens.push_back(lessonPage("lesson-window-dark", Theme::Dark, 0, 1));
     using enum app::MoveKind;
     screens.push_back(practice("practice-bits", Theme::Light, "cs:published", Bits));
-    screens.push_back(practice("practice-edge", Theme::Dark, "cs:corrected", Edge));
+    screens.push_back(practice("practice-edge", Theme::Dark, "cs", Edge));
     screens.push_back(practice("practice-place", Theme::Light, "md:published", Place));
     screens.push_back(practice("practice-line", Theme::Dark, "lb:published", Line));
-    screens.push_back(practice("practice-value", Theme::Light, "cb:corrected", Value));
+    screens.push_back(practice("practice-value", Theme::Light, "cb", Value));
     screens.push_back(practice("practice-end", Theme::Light, "kwc:published", std::nullopt));
     screens.push_back({"explanation-finding", finding});
     screens.push_back(part("dialog-export-steps", exportSteps));
