@@ -35,8 +35,11 @@ constexpr std::string_view labelAt(Edge edge, std::string_view x, std::string_vi
 /// Whether no label stands at two lines, nor twice at one.
 constexpr bool labelsAreUnique(std::string_view code)
 {
+    // With a sanitizer, the address of a text that other files may replace (a member of a class) is
+    // no constant, so the text is copied.
+    const std::vector<char> copy(code.begin(), code.end());
     std::vector<std::string_view> all;
-    for (const CodeLine& line : linesOf(code))
+    for (const CodeLine& line : linesOf({copy.data(), copy.size()}))
         for (std::string_view rest = line.labels; !rest.empty();) {
             const std::string_view label = rest.substr(0, rest.find(' '));
             if (std::find(all.begin(), all.end(), label) != all.end())
