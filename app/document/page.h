@@ -90,7 +90,7 @@ struct PaperMargins {
     friend bool operator==(const PaperMargins&, const PaperMargins&) = default;
 };
 
-/// What is behind the drawing on its page.
+/// The ground on which a drawing lies on its page.
 struct PageBackground {
     Colour colour{255, 255, 255}; ///< alpha 0: nothing
     bool exported = false;        ///< in files that have one, unless another one is given
@@ -122,7 +122,7 @@ struct Page {
     /// The unit of lengths on paper, such as stroke widths, beside drawn lengths in `unit`:
     /// millimetres or inches, if a drawn length has another size than its picture on paper.
     Unit paperUnit(Unit unit) const;
-    /// What is painted behind the drawing in a file; empty: what is usual there.
+    /// The ground that files get; empty: the usual one of their format.
     std::optional<Colour> exportedBackground() const
     {
         return background.exported ? std::optional(background.colour) : std::nullopt;

@@ -32,7 +32,7 @@ struct Underlay {
 /// The corners of what is seen of an underlay.
 std::vector<Point> outlineOf(const Underlay& underlay);
 
-/// What is left of a convex polygon inside another one; empty: nothing with an area. The corners of
+/// The part of a convex polygon inside another one; empty if it has no area. The corners of
 /// both may run either way round.
 std::vector<Point> commonArea(std::vector<Point> polygon, const std::vector<Point>& other);
 std::vector<Point> cornersOfBox(const clipping::Window& window);

@@ -10,6 +10,8 @@ namespace app {
 Document onlyImagesIn(Document document, ContainerId layer)
 {
     Containers tree = document.containers();
+    if (!tree.isUnderlaid())
+        return document;
     for (const ContainerId id : tree.underlaid()) {
         ContainerId around = id;
         while (around != 0 && around != layer)

@@ -3,6 +3,7 @@
 
 #include "app/base/number.h"
 #include "app/base/text.h"
+#include "app/formats/svg/colour.h"
 
 #include <QFileInfo>
 
@@ -17,25 +18,6 @@ constexpr qsizetype mostDrawings = 20;  // whose exports are remembered
 constexpr double mostDecimals = 12;
 const QString choicesKey = QStringLiteral("export/choices");
 const QString drawingsKey = QStringLiteral("export/drawings");
-
-QString colourText(const Colour& c)
-{
-    return QStringLiteral("%1%2%3%4")
-        .arg(c.red, 2, 16, QLatin1Char('0'))
-        .arg(c.green, 2, 16, QLatin1Char('0'))
-        .arg(c.blue, 2, 16, QLatin1Char('0'))
-        .arg(c.alpha, 2, 16, QLatin1Char('0'));
-}
-
-std::optional<Colour> colourOf(const QString& text)
-{
-    bool isNumber = false;
-    const uint number = text.toUInt(&isNumber, 16);
-    if (!isNumber || text.size() != 8)
-        return std::nullopt;
-    const auto part = [&](int bits) { return std::uint8_t(number >> bits & 0xff); };
-    return Colour{part(24), part(16), part(8), part(0)};
-}
 
 std::optional<double> numberIn(const QString& text, double least, double most)
 {
@@ -80,9 +62,13 @@ const std::array members{
            }},
     Member{"background",
            [](const ExportChoice& choice) {
-               return choice.background ? colourText(*choice.background) : QStringLiteral("usual");
+               return choice.background
+                          ? QString::fromStdString(svg::hexOf(*choice.background)).mid(1)
+                          : QStringLiteral("usual");
            },
-           [](const QString& text, ExportChoice& choice) { choice.background = colourOf(text); }},
+           [](const QString& text, ExportChoice& choice) {
+               choice.background = svg::parseColour('#' + text.toStdString());
+           }},
     Member{"dxf",
            [](const ExportChoice& choice) {
                return choice.dxf == DxfVersion::R12 ? QStringLiteral("r12")

@@ -5,8 +5,9 @@
 
 namespace app {
 
-/// What the parser cannot see: whether each page's line can be shown, its step exists, its question
-/// can be asked about its line and about lines that its families draw. Takes up to a second.
+/// The faults that need more than the text: whether each page's line can be shown, its step exists,
+/// its question can be asked about its line and about lines that its families draw. Takes up to a
+/// second.
 std::vector<LessonFault> faultsOf(const ParsedLesson& parsed);
 
 } // namespace app

@@ -57,7 +57,7 @@ QByteArray figureHtml(const LinePage& at, const Narration& narration)
            + figureSvg(step, lineFigureSize) + "</svg>\n";
 }
 
-/// What the page shows beside the figure, as far as the steps are known.
+/// The parts beside the figure that a page shows, up to the open step.
 QByteArray besideHtml(const LinePage& at, const Narration& narration)
 {
     const LessonParts& shows = at.page.shows;

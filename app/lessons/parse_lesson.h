@@ -12,7 +12,7 @@ namespace app {
 constexpr int lessonVersion = 1;
 constexpr std::size_t mostLessonPages = 100;
 
-/// What is wrong in a lesson file, and where.
+/// A fault of a lesson file.
 struct LessonFault {
     int line = 0;         ///< from 1
     QString sentence;     ///< “:: step seven” is not understood. …

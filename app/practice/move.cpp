@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/practice/move.h"
 
+#include "app/base/text.h"
 #include "app/practice/kinds/kinds.h"
 
 #include <algorithm>
@@ -22,6 +23,12 @@ const Mistake* mistakeOf(const Move& move, double answer)
     const auto nearest = std::ranges::min_element(move.mistakes, {}, distance);
     return nearest != move.mistakes.end() && distance(*nearest) <= move.within ? &*nearest
                                                                                : nullptr;
+}
+
+QString alsoIn(MoveKind kind)
+{
+    const char* const sentence = makerOf(kind).alsoIn;
+    return sentence ? Text::tr(sentence) : QString();
 }
 
 QString answerText(const Move& move, double answer, YAxis y)

@@ -57,5 +57,7 @@ bool isRight(const Move& move, double answer);
 const Mistake* mistakeOf(const Move& move, double answer);
 /// An answer in words: "1001", "the top edge", "line 7", "0.25".
 QString answerText(const Move& move, double answer, YAxis y);
+/// Where else than by keys a move of a kind is answered, in a sentence; empty: nowhere.
+QString alsoIn(MoveKind kind);
 
 } // namespace app

@@ -177,8 +177,10 @@ void paintPaper(QPainter& painter, const Controller& controller)
     painter.fillRect(QRectF(0, 0, view.size.x, view.size.y), controller.paperLook().canvas);
     painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.paperLook().border);
     const Look& look = controller.paperLook();
-    const bool empty = controller.session().now().page().background.colour.alpha == 0;
-    painter.fillRect(sheet, empty && !look.dark ? checkerOf(look) : controller.pageColour());
+    const int alpha = controller.session().now().page().background.colour.alpha;
+    if (alpha < 255)
+        painter.fillRect(sheet, look.paper); // which a translucent background lets through
+    painter.fillRect(sheet, alpha == 0 && !look.dark ? checkerOf(look) : controller.pageColour());
     paintMargins(painter, controller);
     paintGrid(painter, controller);
     if (const app::Guides* guides = controller.bench().guides())

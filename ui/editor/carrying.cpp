@@ -43,7 +43,8 @@ void giveSelection(MainWindow& from, MainWindow& to, Leaves leaves)
 
 void dragOut(MainWindow& from)
 {
-    if (QApplication::mouseButtons() != Qt::LeftButton) // it was released meanwhile
+    // Asked for at each move of the pointer: it was released meanwhile, or is dragged already.
+    if (QApplication::mouseButtons() != Qt::LeftButton || from.findChild<QDrag*>())
         return;
     from.canvas().cancelGesture();
     auto* drag = new QDrag(&from);

@@ -6,11 +6,11 @@
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/lesson_list.h"
 #include "ui/lessons/page_dots.h"
+#include "ui/lessons/page_parts.h"
 #include "ui/lessons/page_picture.h"
 #include "ui/lessons/practice_page.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/link_button.h"
 
 #include <QApplication>
 #include <QScrollBar>
@@ -134,24 +134,12 @@ QWidget* LessonPanel::makeReader()
 
 QLayout* LessonPanel::makeHead()
 {
-    auto* all = linkButton();
-    all->setText(Text::tr("All lessons"));
-    all->setToolTip(Text::tr("Show all lessons"));
-    all->setAccessibleName(all->toolTip());
+    QToolButton* const all = linkToLessons();
     connect(all, &QToolButton::clicked, this, &LessonPanel::showList);
-    place_->setForegroundRole(QPalette::PlaceholderText);
     place_->setToolTip(Text::tr("Questions that you answered right at the first try, and how many "
                                 "of them pass the lesson"));
-    wearFont(*title_, pageType::title, QFont::Bold);
-    title_->setWordWrap(true);
-    auto* row = new QHBoxLayout;
-    row->addWidget(place_, 1);
-    row->addWidget(all);
-    auto* head = new QVBoxLayout;
-    head->setSpacing(space::labelToField);
+    auto* head = pageHead(*place_, *all, *title_);
     head->setContentsMargins(0, 0, scrollGap, 0);
-    head->addLayout(row);
-    head->addWidget(title_);
     return head;
 }
 
@@ -174,25 +162,14 @@ QWidget* LessonPanel::makeBody()
     column->addWidget(choices_);
     column->addWidget(told_);
     column->addStretch();
-    body_->setFrameShape(QFrame::NoFrame);
-    body_->setWidgetResizable(true);
-    body_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    body_->setFocusPolicy(Qt::NoFocus);
-    body_->setWidget(inner);
+    makePageBody(*body_, *inner);
     return body_;
 }
 
 QLayout* LessonPanel::makeFoot()
 {
-    count_->setForegroundRole(QPalette::PlaceholderText);
-    auto* foot = new QHBoxLayout;
-    foot->setSpacing(space::labelToField);
+    auto* foot = pageFoot(*dots_, *count_, {back_, skip_, next_});
     foot->setContentsMargins(0, 0, scrollGap, 0);
-    foot->addWidget(dots_);
-    foot->addWidget(count_);
-    foot->addStretch();
-    for (QPushButton* turns : {back_, skip_, next_})
-        foot->addWidget(turns);
     return foot;
 }
 

@@ -20,6 +20,7 @@
 #include <QSpinBox>
 
 #include <algorithm>
+#include <array>
 
 namespace ui {
 
@@ -56,21 +57,6 @@ protected:
         selectAll();
     }
 };
-
-/// Where else than here a move of a kind is answered; empty: nowhere.
-QString elsewhere(app::MoveKind kind)
-{
-    switch (kind) {
-    case app::MoveKind::Edge:
-        return Text::tr("You can also click it in the figure.");
-    case app::MoveKind::Place:
-        return Text::tr("You can also click the place on the line in the figure.");
-    case app::MoveKind::Line:
-        return Text::tr("You can also click the line in the pseudo-code.");
-    default:
-        return {};
-    }
-}
 
 /// A number as it is typed, also "3/4"; the decimal mark is a point, or that of the locale.
 app::Result<double> numberIn(QString text)
@@ -113,34 +99,15 @@ void MoveInput::showMove()
     const app::Move* move = practice_.move();
     if (!practice_.isOn() || !move)
         return;
-    const app::YAxis y = practice_.tracedLine().y;
-    switch (move->kind) {
-    case app::MoveKind::Bits:
-        showBits(*move);
-        break;
-    case app::MoveKind::Edge:
-        showChoices({app::answerText(*move, 1, y), app::answerText(*move, 2, y),
-                     app::answerText(*move, 3, y), app::answerText(*move, 4, y)},
-                    1);
-        break;
-    case app::MoveKind::Decide:
-        showChoices({Text::tr("Accept the line"), Text::tr("Reject the line"), Text::tr("Go on")},
-                    0);
-        break;
-    case app::MoveKind::Place:
-        showPlace();
-        break;
-    case app::MoveKind::Line:
-        showLine();
-        break;
-    case app::MoveKind::Value:
-        showValue(*move);
-        if (typedHere)
-            value_->setText(typed);
-        break;
-    }
+    using Show = void (MoveInput::*)(const app::Move& move);
+    static constexpr std::array<Show, 6> shows{&MoveInput::showBits,  &MoveInput::showEdges,
+                                               &MoveInput::showPlace, &MoveInput::showLine,
+                                               &MoveInput::showValue, &MoveInput::showDecisions};
+    (this->*shows[std::size_t(move->kind)])(*move); // in the order of MoveKind
+    if (typedHere && value_)
+        value_->setText(typed);
     setEnabled(practice_.asks());
-    if (const QString way = elsewhere(move->kind); practice_.asks() && !way.isEmpty()) {
+    if (const QString way = app::alsoIn(move->kind); practice_.asks() && !way.isEmpty()) {
         QLabel* also = quietLabel(way);
         also->setWordWrap(true);
         add(also);
@@ -202,7 +169,20 @@ void MoveInput::showChoices(const QStringList& choices, int firstAnswer)
     }
 }
 
-void MoveInput::showPlace()
+void MoveInput::showEdges(const app::Move& move)
+{
+    QStringList names;
+    for (const int edge : {1, 2, 3, 4}) // as clipping::Edge
+        names << app::answerText(move, edge, practice_.tracedLine().y);
+    showChoices(names, 1);
+}
+
+void MoveInput::showDecisions(const app::Move&)
+{
+    showChoices({Text::tr("Accept the line"), Text::tr("Reject the line"), Text::tr("Go on")}, 0);
+}
+
+void MoveInput::showPlace(const app::Move&)
 {
     slider_ = new PlaceSlider;
     slider_->setRange(0, placesOfSlider);
@@ -221,7 +201,7 @@ void MoveInput::showPlace()
     add(names);
 }
 
-void MoveInput::showLine()
+void MoveInput::showLine(const app::Move&)
 {
     line_ = new LineNumber;
     line_->setRange(0, int(app::codeOf(practice_.tracedLine().variant).size()));

@@ -33,15 +33,16 @@ signals:
 private:
     void showBits(const app::Move& move);
     void showChoices(const QStringList& choices, int firstAnswer);
-    void showPlace();
-    void showLine();
+    void showEdges(const app::Move& move);
+    void showDecisions(const app::Move& move);
+    void showPlace(const app::Move& move);
+    void showLine(const app::Move& move);
     void showValue(const app::Move& move);
     void showDraft();
     void add(QWidget* widget);
 
     app::Practice& practice_;
     QVBoxLayout* column_;
-    QWidget* row_ = nullptr;
     QList<QPushButton*> buttons_;
     QSlider* slider_ = nullptr;
     QSpinBox* line_ = nullptr;

@@ -7,9 +7,9 @@
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/move_input.h"
 #include "ui/lessons/page_dots.h"
+#include "ui/lessons/page_parts.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/link_button.h"
 #include "ui/widgets/look_label.h"
 
 #include <QAccessible>
@@ -107,24 +107,11 @@ PracticePage::PracticePage(app::Practice& practice, QWidget* parent)
 
 QLayout* PracticePage::makeHead()
 {
-    auto* all = linkButton();
-    all->setText(Text::tr("All lessons"));
-    all->setToolTip(Text::tr("Show all lessons"));
-    all->setAccessibleName(all->toolTip());
+    QToolButton* const all = linkToLessons();
     connect(all, &QToolButton::clicked, this, &PracticePage::listWanted);
-    place_->setForegroundRole(QPalette::PlaceholderText);
     place_->setToolTip(Text::tr("Moves that were right at the first try, and how many of them "
                                 "pass the attempt"));
-    wearFont(*title_, pageType::title, QFont::Bold);
-    title_->setWordWrap(true);
-    auto* row = new QHBoxLayout;
-    row->addWidget(place_, 1);
-    row->addWidget(all);
-    auto* head = new QVBoxLayout;
-    head->setSpacing(space::labelToField);
-    head->addLayout(row);
-    head->addWidget(title_);
-    return head;
+    return pageHead(*place_, *all, *title_);
 }
 
 QWidget* PracticePage::makeBody()
@@ -158,25 +145,11 @@ QWidget* PracticePage::makeBody()
     column->addWidget(wrongHead_);
     column->addWidget(wrong_);
     column->addStretch();
-    body_->setFrameShape(QFrame::NoFrame);
-    body_->setWidgetResizable(true);
-    body_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    body_->setFocusPolicy(Qt::NoFocus);
-    body_->setWidget(inner);
+    makePageBody(*body_, *inner);
     return body_;
 }
 
-QLayout* PracticePage::makeFoot()
-{
-    count_->setForegroundRole(QPalette::PlaceholderText);
-    auto* foot = new QHBoxLayout;
-    foot->setSpacing(space::labelToField);
-    foot->addWidget(dots_);
-    foot->addWidget(count_);
-    foot->addStretch();
-    foot->addWidget(next_);
-    return foot;
-}
+QLayout* PracticePage::makeFoot() { return pageFoot(*dots_, *count_, {next_}); }
 
 void PracticePage::showAttempt()
 {

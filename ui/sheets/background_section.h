@@ -10,7 +10,7 @@ namespace ui {
 class ColourPopup;
 class Segments;
 
-/// What is behind the drawing on its page, and whether files have it, too.
+/// The background of the page, and whether files have it, too.
 class BackgroundSection : public PageSection {
     Q_OBJECT
 

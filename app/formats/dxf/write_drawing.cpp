@@ -22,7 +22,7 @@ constexpr double largestWritten = 1e100; // programs compute with squares of coo
 // Millimetres. Programs that draw curves as lines have no memory for larger ones.
 constexpr double largestWithCurves = 1e12;
 
-/// What the beginning of the file needs of all paths: their bounds and their number.
+/// The bounds and the number of all paths, which stand at the beginning of the file.
 struct Extent {
     std::optional<clipping::Window> box{};
     std::size_t subpaths = 0;

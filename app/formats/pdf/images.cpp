@@ -104,7 +104,7 @@ QByteArray packedBytes(const QByteArray& bytes)
     return qCompress(bytes).sliced(sizeOfQtHeader);
 }
 
-/// Pixels one by one, for all that PDF does not know.
+/// The decoded pixels of a file that PDF cannot take as it is.
 std::vector<Stream> asPixels(const std::shared_ptr<const ImageFile>& file, std::size_t mask)
 {
     constexpr double mostPixels = 32e6; // beyond, at half the resolution: memory ends

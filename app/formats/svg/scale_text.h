@@ -8,7 +8,7 @@
 #include <string>
 
 // The drawing's scale, the page's margins and its background as an element of the root's metadata.
-// What is as usual is not written:
+// Usual values are not written:
 //   <clearcut:page scale="50" unit="m" margins="20 10 10 10" show-margins="yes"
 //                  background="#f4ecd8" export-background="yes"/>
 // The margins are in millimetres on paper: left, top, right, bottom.

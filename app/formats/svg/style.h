@@ -29,7 +29,7 @@ struct Paint {
     std::string_view reference{}; ///< "url(#gradient)"
 };
 
-/// What of a shape is painted first, second and last.
+/// The order in which fill, stroke and markers of a shape are painted.
 enum class PaintPart : std::uint8_t { Fill, Stroke, Markers };
 using PaintOrder = std::array<PaintPart, 3>;
 

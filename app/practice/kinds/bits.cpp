@@ -19,12 +19,8 @@ constexpr std::array edgesOfBits{Edge::Left, Edge::Right, Edge::Bottom, Edge::To
 const clipping::NamedValue* setHere(const MoveContext& context)
 {
     for (const clipping::NamedValue& value : context.traced().values)
-        for (std::string_view rest = context.planned.variable; !rest.empty();) {
-            const std::size_t end = std::min(rest.find(' '), rest.size());
-            if (value.name == rest.substr(0, end))
-                return &value;
-            rest.remove_prefix(std::min(end + 1, rest.size()));
-        }
+        if (isWordOf(value.name, context.planned.variable))
+            return &value;
     return nullptr;
 }
 

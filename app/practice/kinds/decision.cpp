@@ -6,11 +6,6 @@ namespace app {
 
 namespace {
 
-bool isWordOf(std::string_view word, std::string_view words)
-{
-    return clipping::CodeLine{{}, words}.has(word);
-}
-
 /// Whether a step belongs to a decision: a further test of it, or what carries its result to the
 /// line that accepts or rejects. Let "left" ends a turned plane, or holds the ends.
 bool carriesOn(const clipping::Step& step, std::string_view also)

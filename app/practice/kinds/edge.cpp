@@ -135,6 +135,7 @@ QString edgeText(const Move&, double answer, YAxis y) { return edgeWords(Edge(in
 
 } // namespace
 
-const MoveMaker edgeMaker{MoveKind::Edge, makeEdge, edgeText};
+const MoveMaker edgeMaker{MoveKind::Edge, makeEdge, edgeText,
+                          QT_TRANSLATE_NOOP("Text", "You can also click it in the figure.")};
 
 } // namespace app

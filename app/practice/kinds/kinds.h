@@ -39,8 +39,15 @@ struct MoveMaker {
     /// Empty if the step gives no such move: then the algorithm does it itself.
     std::optional<Move> (*make)(const MoveContext& context);
     QString (*text)(const Move& move, double answer, YAxis y); ///< an answer in words
+    const char* alsoIn = nullptr;                              ///< alsoIn(), not translated
 };
 const MoveMaker& makerOf(MoveKind kind);
+
+/// Whether a word is one of those that blanks separate.
+inline bool isWordOf(std::string_view word, std::string_view words)
+{
+    return clipping::CodeLine{{}, words}.has(word);
+}
 
 /// Adds a mistake unless it is right, or a mistake with nearly the same answer is there already.
 void addMistake(Move& move, std::string_view kind, double answer, const QString& hint);

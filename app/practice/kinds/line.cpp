@@ -100,6 +100,8 @@ QString lineAnswerText(const Move&, double answer, YAxis)
 
 } // namespace
 
-const MoveMaker lineMaker{MoveKind::Line, makeLine, lineAnswerText};
+const MoveMaker lineMaker{
+    MoveKind::Line, makeLine, lineAnswerText,
+    QT_TRANSLATE_NOOP("Text", "You can also click the line in the pseudo-code.")};
 
 } // namespace app

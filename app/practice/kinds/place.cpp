@@ -115,6 +115,8 @@ QString placeText(const Move&, double answer, YAxis)
 
 } // namespace
 
-const MoveMaker placeMaker{MoveKind::Place, makePlace, placeText};
+const MoveMaker placeMaker{
+    MoveKind::Place, makePlace, placeText,
+    QT_TRANSLATE_NOOP("Text", "You can also click the place on the line in the figure.")};
 
 } // namespace app
