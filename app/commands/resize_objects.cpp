@@ -4,9 +4,8 @@
 #include "app/base/text.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/set_style.h"
+#include "app/document/copies.h"
 #include "app/document/path.h"
-
-#include <cmath>
 
 namespace app {
 
@@ -36,37 +35,47 @@ bool keepsCorner(const clipping::Window& from, const clipping::Window& to)
     return fitting(from, to)(from.min) == to.min;
 }
 
-Derivation derivationOf(const clipping::Window& from, const clipping::Window& to,
-                        StrokeScaling strokes)
+Derivation derivationOf(const WindowFrame& from, const WindowFrame& to, StrokeScaling strokes)
 {
-    return strokes == StrokeScaling::Keep && keepsCorner(from, to)
-               ? Derivation{Derivation::How::Placed, fitting(from, to)}
+    if (strokes != StrokeScaling::Keep)
+        return {};
+    if (from.angle != 0)
+        return {Derivation::How::Mapped, {}, fitting(from, to)};
+    return keepsCorner(from.box, to.box)
+               ? Derivation{Derivation::How::Placed, fitting(from.box, to.box)}
                : Derivation{};
 }
 
-Edit resized(const Document& document, const ObjectRanges& objects, const clipping::Window& from,
-             const clipping::Window& to, StrokeScaling strokes)
+RowChange resizing(const WindowFrame& from, const WindowFrame& to)
 {
-    const Placement where = fitting(from, to);
-    const bool placed = keepsCorner(from, to);
-    const double area = std::abs(where.scale.x * where.scale.y);
-    const double scale = strokes == StrokeScaling::Scale ? std::sqrt(area) : 1;
+    if (from.angle != 0)
+        return [map = fitting(from, to)](ObjectRow& object) { transform(object, map); };
+    return
+        [from = from.box, to = to.box, placed = keepsCorner(from.box, to.box)](ObjectRow& object) {
+            Path path = placed ? Path() : fitted(object.path, from, to);
+            place(object, fitting(from, to));
+            if (!placed)
+                object.path = std::move(path);
+        };
+}
+
+Edit resized(const Document& document, const ObjectRanges& objects, const WindowFrame& from,
+             const WindowFrame& to, StrokeScaling strokes)
+{
+    const double scale = strokes == StrokeScaling::Scale ? fitting(from, to).scale() : 1;
     StyleChanges restyled([&](Style& style) { scaleStroke(style, scale); });
-    return changed(document, objects, [&](ObjectRow& object, StyleTable& styles) {
-        Path path = placed ? Path() : fitted(object.path, from, to);
-        place(object, where);
-        if (!placed)
-            object.path = std::move(path);
-        if (scale != 1)
-            restyled(object, styles);
-    });
+    return changed(document, objects,
+                   [&, resize = resizing(from, to)](ObjectRow& object, StyleTable& styles) {
+                       resize(object);
+                       if (scale != 1)
+                           restyled(object, styles);
+                   });
 }
 
 } // namespace
 
 ResizeObjects::ResizeObjects(EditedDocument& document, const ObjectRanges& objects,
-                             const clipping::Window& from, const clipping::Window& to,
-                             StrokeScaling strokes)
+                             const WindowFrame& from, const WindowFrame& to, StrokeScaling strokes)
     : EditCommand(row, document, resized(document.now(), objects, from, to, strokes),
                   Text::tr("Resize selection"), Merging::Never, derivationOf(from, to, strokes))
 {

@@ -43,4 +43,23 @@ WindowFrame resized(const WindowFrame& frame, const clipping::Window& box)
     return {{centre - half, centre + half}, frame.angle};
 }
 
+AffineMap scalingAlong(double angle, const Point& factors, const Point& about)
+{
+    AffineMap map = scaling(factors, about);
+    if (angle != 0)
+        for (Point* const axis : {&map.x, &map.y})
+            *axis = turnedBy(factors * turnedBy(axis == &map.x ? Point(1, 0) : Point(0, 1), -angle),
+                             angle);
+    return map;
+}
+
+AffineMap fitting(const WindowFrame& from, const WindowFrame& to)
+{
+    const Point old = from.box.max - from.box.min, size = to.box.max - to.box.min;
+    const Point factors(old.x > 0 ? size.x / old.x : 1, old.y > 0 ? size.y / old.y : 1);
+    AffineMap map = scalingAlong(from.angle, factors, centreOf(from.box));
+    map.to = centreOf(to.box);
+    return map;
+}
+
 } // namespace app

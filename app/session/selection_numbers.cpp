@@ -4,9 +4,8 @@
 #include "app/base/text.h"
 #include "app/commands/move_objects.h"
 #include "app/document/direction.h"
-#include "app/document/recipe.h"
-#include "app/document/window_frame.h"
 #include "app/drawing/transformation.h"
+#include "app/session/selection_frame.h"
 #include "app/view/ruler.h"
 
 #include <glm/geometric.hpp>
@@ -33,27 +32,6 @@ std::optional<clipping::Segment> onlyLine(const Session& session)
     return session.now().objects()[selection.first()].singleLine();
 }
 
-/// The recipe of the only selected object; of any other selection none.
-Recipe onlyRecipe(const Session& session)
-{
-    const ObjectRanges& selection = session.selection();
-    return selection.size() == 1 ? session.now().objects()[selection.first()].particulars().recipe
-                                 : Recipe{};
-}
-
-/// The rectangle whose sides are the width and the height: that of the selection, but a turned
-/// rectangle or ellipse has sides of its own.
-std::optional<WindowFrame> frameOf(const Session& session)
-{
-    const Recipe recipe = onlyRecipe(session);
-    if (const auto* r = std::get_if<RectangleRecipe>(&recipe); r && r->turn != 0)
-        return WindowFrame{{r->corner, r->corner + r->size}, r->turn};
-    if (const auto* e = std::get_if<EllipseRecipe>(&recipe); e && e->turn != 0)
-        return WindowFrame{{e->centre - e->radii, e->centre + e->radii}, e->turn};
-    const auto& box = session.selectionBounds();
-    return box ? std::optional(WindowFrame{*box}) : std::nullopt;
-}
-
 /// In radians, from x towards y.
 double turnOf(const Recipe& recipe)
 {
@@ -69,7 +47,7 @@ double turnOf(const Recipe& recipe)
 
 std::optional<Point> reference(const Session& session, const Frame& frame)
 {
-    const auto own = frameOf(session);
+    const auto own = selectionFrame(session);
     return own ? std::optional(outOfFrame(*own, placeOf(frame.reference, own->box))) : std::nullopt;
 }
 
@@ -93,19 +71,8 @@ Map moveTo(const Session& session, const Frame& frame, double value)
 template <int axis>
 SelectionValue side(const Session& session, const Frame&)
 {
-    const auto own = frameOf(session);
+    const auto own = selectionFrame(session);
     return own ? SelectionValue(own->box.max[axis] - own->box.min[axis]) : std::nullopt;
-}
-
-/// Scales along axes that are turned.
-AffineMap scalingAlong(double turn, const Point& factors, const Point& about)
-{
-    AffineMap map = scaling(factors, about);
-    if (turn != 0)
-        for (Point* const axis : {&map.x, &map.y})
-            *axis = turnedBy(factors * turnedBy(axis == &map.x ? Point(1, 0) : Point(0, 1), -turn),
-                             turn);
-    return map;
 }
 
 template <int axis>
@@ -118,7 +85,7 @@ Map resizeTo(const Session& session, const Frame& frame, double value)
     factors[axis] = value / *old;
     if (frame.keepsRatio)
         factors = Point(factors[axis]);
-    return scalingAlong(frameOf(session)->angle, factors, *reference(session, frame));
+    return scalingAlong(selectionFrame(session)->angle, factors, *reference(session, frame));
 }
 
 /// Some objects remember how they are turned; of everything else the angle is the turn that is

@@ -11,21 +11,6 @@
 namespace app {
 namespace {
 
-// A point on screen, as if the frame were not rotated; and back.
-Point unrotated(const WindowFrame& frame, const View& view, const Point& screen)
-{
-    return frame.angle == 0 ? screen : view.toScreen(intoFrame(frame, view.toDrawing(screen)));
-}
-Point rotated(const WindowFrame& frame, const View& view, const Point& screen)
-{
-    return frame.angle == 0 ? screen : view.toScreen(outOfFrame(frame, view.toDrawing(screen)));
-}
-
-Point placeOfRotation(const WindowFrame& frame, const View& view)
-{
-    return view.toScreen(placeOf({0, -1}, frame.box)) - Point(0, rotationHandleAbove);
-}
-
 WindowFrame turned(const WindowFrame& start, const Point& from, const Point& to,
                    Proportion proportion)
 {
@@ -43,19 +28,35 @@ WindowFrame turned(const WindowFrame& start, const Point& from, const Point& to,
 
 } // namespace
 
+Point unrotated(const WindowFrame& frame, const View& view, const Point& screen)
+{
+    return frame.angle == 0 ? screen : view.toScreen(intoFrame(frame, view.toDrawing(screen)));
+}
+
+Point rotated(const WindowFrame& frame, const View& view, const Point& screen)
+{
+    return frame.angle == 0 ? screen : view.toScreen(outOfFrame(frame, view.toDrawing(screen)));
+}
+
+Point placeOfRotation(const WindowFrame& frame, const View& view)
+{
+    const Point above = view.toScreen(placeOf({0, -1}, frame.box)) - Point(0, rotationHandleAbove);
+    return rotated(frame, view, above);
+}
+
 std::vector<PlacedHandle> placedHandles(const WindowFrame& frame, const View& view)
 {
     std::vector<PlacedHandle> placed = placedHandles(frame.box, view);
-    placed.push_back({rotationHandle, placeOfRotation(frame, view)});
     for (PlacedHandle& handle : placed)
         handle.screen = rotated(frame, view, handle.screen);
+    placed.push_back({rotationHandle, placeOfRotation(frame, view)});
     return placed;
 }
 
 std::optional<Handle> handleAt(const Point& screen, const WindowFrame& frame, const View& view)
 {
     const Point at = unrotated(frame, view, screen);
-    const Point away = glm::abs(at - placeOfRotation(frame, view));
+    const Point away = glm::abs(at - unrotated(frame, view, placeOfRotation(frame, view)));
     constexpr double reach = 12;
     if (away.x <= reach && away.y <= reach)
         return rotationHandle;

@@ -12,6 +12,13 @@ namespace app {
 inline constexpr Handle rotationHandle{0, -2};
 constexpr double rotationHandleAbove = 28; ///< pixels
 
+/// A point on screen, as if the frame were not rotated; and back.
+Point unrotated(const WindowFrame& frame, const View& view, const Point& screen);
+Point rotated(const WindowFrame& frame, const View& view, const Point& screen);
+
+/// The place of the handle that rotates, on screen.
+Point placeOfRotation(const WindowFrame& frame, const View& view);
+
 std::vector<PlacedHandle> placedHandles(const WindowFrame& frame, const View& view);
 
 /// As for a rectangle, and the handle that rotates.

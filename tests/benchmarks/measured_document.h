@@ -74,7 +74,7 @@ public:
     void resize(const Selection& selection)
     {
         const clipping::Window to{{0, 0}, {0.999, 0.998}};
-        push(new app::ResizeObjects(document_, selection, {{0, 0}, {1, 1}}, to));
+        push(new app::ResizeObjects(document_, selection, {{{0, 0}, {1, 1}}}, {to}));
     }
     void restyle(const Selection& selection, double width)
     {

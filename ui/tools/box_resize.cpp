@@ -24,13 +24,11 @@ bool collapses(const clipping::Window& from, const clipping::Window& to)
 
 } // namespace
 
-void BoxResize::start(app::Handle handle, const clipping::Window& bounds, const Pointer& pressed,
-                      const Workbench& bench)
+void BoxResize::start(const HeldHandle& held, const Pointer& pressed, const Workbench& bench)
 {
     last_.forget();
-    const app::Point at = app::placeOf(handle, bounds);
-    now_ = State{handle,       bounds,           pressed.raw, bench.session.selection(),
-                 {at, {1, 1}}, pressed.modifiers};
+    now_ = State{
+        held, pressed.raw, bench.session.selection(), {held.place(), {1, 1}}, pressed.modifiers};
 }
 
 void BoxResize::proceed(const Pointer& pointer, Workbench& bench)
@@ -41,21 +39,27 @@ void BoxResize::proceed(const Pointer& pointer, Workbench& bench)
         now_->modifiers = pointer.modifiers;
     if (!corrects() && !pointer.held) {
         now_->snap = snap(*now_, pointer.raw - now_->pressed, bench);
-        to = handleOf(*now_) + now_->snap->by;
+        to = now_->held.place() + now_->snap->by;
     }
     // Not the pointer's numbers: Shift or Alt may have changed what they measure.
-    const app::GestureStart start{fixed(*now_), handleOf(*now_)};
-    now_->end = {to, measure(*now_).values(start, to)};
+    const app::GestureStart start = now_->held.start(now_->modifiers);
+    now_->end = {to, now_->held.measure(now_->modifiers).values(start, to)};
 }
 
+// Boxes of other objects are upright, so a frame that is turned is not aligned with them.
 app::MovedSnap BoxResize::snap(const State& state, const app::Point& by, const Workbench& bench)
 {
-    const app::Point at = handleOf(state);
+    const app::Point at = state.held.place();
     const app::OwnPoints own{{at}, {at, at}};
+    const bool upright = state.held.frame.angle == 0;
     const auto proportion =
         state.modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
-    return app::heldByHandle({state.handle, at, fixed(state), proportion}, by,
-                             bench.moved(own, by, state.modifiers, state.objects));
+    const app::MovedSnap snap = bench.moved(own, by, state.modifiers, state.objects,
+                                            upright ? app::SnapTo::All : placesOnly());
+    if (!upright && proportion == app::Proportion::Free)
+        return snap; // its side will pass through the place
+    return app::heldByHandle({state.held.handle, at, state.held.fixed(state.modifiers), proportion},
+                             by, snap);
 }
 
 bool BoxResize::finish(const Pointer& pointer, Workbench& bench)
@@ -70,21 +74,21 @@ void BoxResize::accept(const app::GestureEnd& end, Workbench& bench)
     app::Session& session = bench.session;
     State state = *now_;
     state.end = end;
-    const clipping::Window to = target(state);
+    const app::WindowFrame& from = state.held.frame;
+    const app::WindowFrame to = target(state);
     if (session.selection() != state.objects)
         return cancel(bench); // a command has removed objects meanwhile
-    if (collapses(state.bounds, to)) {
+    if (collapses(from.box, to.box)) {
         emit session.refused(
             Text::tr("The selection would have no width or no height. Drag the handle elsewhere."));
         return cancel(bench);
     }
     now_.reset();
     last_.discard(); // if the step was open, it stays undone
-    if (to == state.bounds)
+    if (to == from)
         return last_.forget();
-    pushKeepingInspected(session,
-                         new app::ResizeObjects(session.document, state.objects, state.bounds, to,
-                                                session.arrange.strokes));
+    pushKeepingInspected(session, new app::ResizeObjects(session.document, state.objects, from, to,
+                                                         session.arrange.strokes));
     last_.remember(bench);
     done_ = std::move(state);
 }
@@ -104,33 +108,17 @@ void BoxResize::reopen(Workbench& bench)
     now_->snap.reset();
 }
 
-app::Point BoxResize::fixed(const State& state)
+app::WindowFrame BoxResize::target(const State& state)
 {
-    const auto [x, y] = state.handle;
-    const bool centre = anchorOf(state.modifiers) == app::Anchor::Centre;
-    return app::placeOf(centre ? app::Handle{} : app::Handle{-x, -y}, state.bounds);
-}
-
-clipping::Window BoxResize::target(const State& state)
-{
-    const clipping::Window& old = state.bounds;
+    const app::WindowFrame& old = state.held.frame;
     if (state.modifiers & Qt::ShiftModifier) {
-        const app::AffineMap map = app::scaling(app::Point(state.end.numbers[0]), fixed(state));
-        const app::Point a = map(old.min), b = map(old.max);
-        return {glm::min(a, b), glm::max(a, b)};
+        const app::Point fixed = app::intoFrame(old, state.held.fixed(state.modifiers));
+        const app::AffineMap map = app::scaling(app::Point(state.end.numbers[0]), fixed);
+        const app::Point a = map(old.box.min), b = map(old.box.max);
+        return app::resized(old, {glm::min(a, b), glm::max(a, b)});
     }
-    return app::dragged(old, state.handle, state.end.point - handleOf(state), app::Proportion::Free,
-                        anchorOf(state.modifiers));
-}
-
-const app::GestureMeasure& BoxResize::measure(const State& state)
-{
-    const auto [x, y] = state.handle;
-    if (state.modifiers & Qt::ShiftModifier)
-        return app::scalingMeasure(app::Along::Both);
-    const app::Anchor anchor = anchorOf(state.modifiers);
-    return x != 0 && y != 0 ? app::widthAndHeight(app::Proportion::Free, anchor)
-                            : app::sideLength(x != 0 ? 0 : 1, anchor);
+    return app::dragged(old, state.held.handle, state.held.place(), state.end.point,
+                        app::Proportion::Free, anchorOf(state.modifiers));
 }
 
 std::optional<app::Gauge> BoxResize::gauge(const Workbench& bench) const
@@ -138,9 +126,9 @@ std::optional<app::Gauge> BoxResize::gauge(const Workbench& bench) const
     if (!now_ && !canReopen(bench))
         return std::nullopt;
     const State& state = now_ ? *now_ : done_;
-    app::Gauge gauge = gaugeFrom(fixed(state), measure(state), bench);
-    gauge.start.pointer = handleOf(state);
-    gauge.shift = gauge.start.pointer - state.pressed;
+    app::Gauge gauge = gaugeFrom({}, state.held.measure(state.modifiers), bench);
+    gauge.start = state.held.start(state.modifiers);
+    gauge.shift = state.held.place() - state.pressed;
     if (!now_ || corrects())
         gauge.aim = done_.end;
     else if (state.snap)
@@ -150,11 +138,8 @@ std::optional<app::Gauge> BoxResize::gauge(const Workbench& bench) const
 
 void BoxResize::paint(QPainter& painter, const Workbench& bench) const
 {
-    if (!now_)
-        return;
-    const clipping::Window to = target();
-    const app::Placement where = app::fitting(now_->bounds, to);
-    paintMapped(painter, bench, {{where.scale.x, 0}, {0, where.scale.y}, now_->bounds.min, to.min});
+    if (now_)
+        paintMapped(painter, bench, app::fitting(now_->held.frame, target()));
 }
 
 } // namespace ui

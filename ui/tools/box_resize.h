@@ -3,21 +3,21 @@
 
 #include "app/document/object_ranges.h"
 #include "ui/tools/drag.h"
+#include "ui/tools/frame_drag.h"
 
 namespace ui {
 
-/// Resizes the selection by a handle of its bounding box, which snaps. Shift keeps the proportions,
-/// Alt the centre; typed numbers hold, and change what was just done.
+/// Resizes the selection by a handle of its frame, which snaps. Shift keeps the proportions, Alt
+/// the centre; typed numbers hold, and change what was just done.
 class BoxResize final : public Drag {
 public:
-    void start(app::Handle handle, const clipping::Window& bounds, const Pointer& pressed,
-               const Workbench& bench);
+    void start(const HeldHandle& held, const Pointer& pressed, const Workbench& bench);
     bool going() const override { return now_.has_value(); }
     void proceed(const Pointer& pointer, Workbench& bench) override;
     bool finish(const Pointer& pointer, Workbench& bench) override;
     void cancel(Workbench& bench) override;
     void paint(QPainter& painter, const Workbench& bench) const override;
-    clipping::Window target() const { return target(*now_); } ///< the bounds after the drag
+    app::WindowFrame target() const { return target(*now_); } ///< the frame after the drag
     std::optional<app::Gauge> gauge(const Workbench& bench) const override;
     void accept(const app::GestureEnd& end, Workbench& bench) override;
     void reopen(Workbench& bench) override;
@@ -28,21 +28,14 @@ public:
 
 private:
     struct State {
-        app::Handle handle;
-        clipping::Window bounds;
+        HeldHandle held;
         app::Point pressed; ///< where the pointer was at first
         app::ObjectRanges objects;
         app::GestureEnd end;
         Qt::KeyboardModifiers modifiers;
         std::optional<app::MovedSnap> snap{};
     };
-    static app::Point handleOf(const State& state) // before the drag
-    {
-        return app::placeOf(state.handle, state.bounds);
-    }
-    static app::Point fixed(const State& state); ///< the point that stays
-    static const app::GestureMeasure& measure(const State& state);
-    static clipping::Window target(const State& state);
+    static app::WindowFrame target(const State& state);
     static app::MovedSnap snap(const State& state, const app::Point& by, const Workbench& bench);
 
     std::optional<State> now_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/pivot_marks.h"
 
+#include "app/session/selection_frame.h"
+#include "app/view/frame_handles.h"
 #include "ui/look/text.h"
 #include "ui/tools/end_drag.h"
 #include "ui/tools/selection_marks.h"
@@ -10,22 +12,15 @@
 namespace ui {
 namespace {
 
-constexpr double aboveBox = 28;                           // pixels, to the rotation handle
 constexpr double handleReach = 8, pivotReach = 6;         // pixels
 constexpr double leastForPivot = 72, arm = 7, radius = 4; // pixels
 constexpr double besideRotation = 24;                     // pixels, to the pivot that waits there
 
-/// The place of the rotation handle on the screen.
-app::Point handleAbove(const clipping::Window& box, const app::View& view)
-{
-    return view.toScreen(app::placeOf({0, -1}, box)) - app::Point(0, aboveBox);
-}
-
 /// Whether the cross and the rotation handle would be in the way: of a line, a text or a small
 /// selection, until the cross is put elsewhere.
-bool areInTheWay(const clipping::Window& box, const Workbench& bench)
+bool areInTheWay(const app::WindowFrame& frame, const Workbench& bench)
 {
-    const app::Point size = bench.view.toScreen(box.max) - bench.view.toScreen(box.min);
+    const app::Point size = bench.view.toScreen(frame.box.max) - bench.view.toScreen(frame.box.min);
     return !bench.session.pivot.isMoved()
            && (lineWithHandles(bench.session) || SelectionMarks::isQuiet(bench.session)
                || std::max(size.x, size.y) < leastForPivot);
@@ -33,22 +28,23 @@ bool areInTheWay(const clipping::Window& box, const Workbench& bench)
 
 /// The place of the cross on the screen. Where it would be in the way, it waits beside the rotation
 /// handle.
-app::Point crossAt(const clipping::Window& box, const Workbench& bench)
+app::Point crossAt(const app::WindowFrame& frame, const Workbench& bench)
 {
-    return areInTheWay(box, bench) ? handleAbove(box, bench.view) + app::Point(besideRotation, 0)
-                                   : bench.view.toScreen(bench.session.pivot.at());
+    return areInTheWay(frame, bench)
+               ? app::placeOfRotation(frame, bench.view) + app::Point(besideRotation, 0)
+               : bench.view.toScreen(bench.session.pivot.at());
 }
 
 } // namespace
 
 PivotMarks::Mark PivotMarks::at(const app::Point& screen, const Workbench& bench)
 {
-    const auto& box = bench.session.selectionBounds();
-    if (!box)
+    const auto frame = app::selectionFrame(bench.session);
+    if (!frame)
         return Mark::None;
-    if (glm::distance(screen, handleAbove(*box, bench.view)) <= handleReach)
+    if (glm::distance(screen, app::placeOfRotation(*frame, bench.view)) <= handleReach)
         return Mark::Rotation;
-    return glm::distance(screen, crossAt(*box, bench)) <= pivotReach ? Mark::Pivot : Mark::None;
+    return glm::distance(screen, crossAt(*frame, bench)) <= pivotReach ? Mark::Pivot : Mark::None;
 }
 
 QString PivotMarks::hint(Mark mark)
@@ -61,23 +57,25 @@ QString PivotMarks::hint(Mark mark)
 
 QPointF PivotMarks::rotationHandle(const Workbench& bench)
 {
-    const app::Point at = handleAbove(*bench.session.selectionBounds(), bench.view);
+    const app::Point at = app::placeOfRotation(*app::selectionFrame(bench.session), bench.view);
     return {at.x, at.y};
 }
 
 void PivotMarks::paint(QPainter& painter, const Workbench& bench, bool near)
 {
-    const auto& box = bench.session.selectionBounds();
-    if (!box || (!near && areInTheWay(*box, bench)))
+    const auto frame = app::selectionFrame(bench.session);
+    if (!frame || (!near && areInTheWay(*frame, bench)))
         return;
-    const app::Point cross = crossAt(*box, bench);
+    const app::Point cross = crossAt(*frame, bench);
     paintPivot(painter, {cross.x, cross.y}, bench.look);
     const QPointF at = rotationHandle(bench);
-    const bool isLine = lineWithHandles(bench.session).has_value(); // which has no box
-    const clipping::Window around = isLine ? *box : SelectionMarks::boxAround(*box, bench);
-    const QPointF top = bench.onScreen(app::placeOf({0, -1}, around));
+    const bool isLine = lineWithHandles(bench.session).has_value(); // which has no frame
+    const app::WindowFrame around = isLine ? *frame : SelectionMarks::around(*frame, bench);
+    const QLineF stem(at,
+                      bench.onScreen(app::outOfFrame(around, app::placeOf({0, -1}, around.box))));
+    const QPointF along = stem.unitVector().p2() - at;
     painter.setPen(QPen(bench.look.selection, 1));
-    painter.drawLine(top - QPointF(0, radius), at + QPointF(0, radius));
+    painter.drawLine(stem.p2() - along * radius, at + along * radius);
     painter.setPen(QPen(bench.look.selection, 1.5));
     painter.setBrush(bench.look.paper);
     painter.drawEllipse(at, radius, radius);

@@ -2,6 +2,7 @@
 #include "ui/tools/select_hover.h"
 
 #include "app/base/numbers.h"
+#include "app/session/selection_frame.h"
 #include "app/session/units.h"
 #include "app/session/window_words.h"
 #include "ui/look/text.h"
@@ -41,9 +42,9 @@ QString segmentHint(std::size_t segment, const app::Session& session)
 
 } // namespace
 
-std::optional<clipping::Window> handledBox(const app::Session& session)
+std::optional<app::WindowFrame> handledFrame(const app::Session& session)
 {
-    return lineWithHandles(session) ? std::nullopt : session.selectionBounds();
+    return lineWithHandles(session) ? std::nullopt : app::selectionFrame(session);
 }
 
 void SelectHover::look(const Pointer& pointer, const Workbench& bench)
@@ -58,9 +59,9 @@ void SelectHover::look(const Pointer& pointer, const Workbench& bench)
         mark = PivotMarks::at(pointer.screen, bench);
     if (mark != Mark::None)
         return;
-    if (const auto bounds = handledBox(bench.session))
-        box = app::handleAt(pointer.screen, SelectionMarks::boxAround(*bounds, bench), bench.view,
-                            boxReach);
+    if (const auto frame = handledFrame(bench.session))
+        box = app::handleAt(app::unrotated(*frame, bench.view, pointer.screen),
+                            SelectionMarks::around(*frame, bench).box, bench.view, boxReach);
     if (!box)
         segment = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
     if (!end && !box && !segment)
@@ -69,18 +70,18 @@ void SelectHover::look(const Pointer& pointer, const Workbench& bench)
 
 void SelectHover::lookNear(const Pointer& pointer, const Workbench& bench)
 {
-    const auto& bounds = bench.session.selectionBounds();
-    near = bounds && SelectionMarks::isNear(pointer.screen, *bounds, bench);
+    const auto frame = app::selectionFrame(bench.session);
+    near = frame && SelectionMarks::isNear(pointer.screen, *frame, bench);
 }
 
-QCursor SelectHover::cursor() const
+QCursor SelectHover::cursor(const app::Session& session) const
 {
     if (window)
         return cursorOf(*window);
     if (mark != Mark::None)
         return Qt::PointingHandCursor;
     if (box)
-        return cursorOf(*box);
+        return cursorOf(*box, app::selectionFrame(session)->angle);
     return guide || end ? Qt::SizeAllCursor : Qt::ArrowCursor;
 }
 

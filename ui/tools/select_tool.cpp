@@ -83,9 +83,9 @@ public:
     }
     std::optional<app::Handle> hoveredHandle() const override { return hover_.window; }
     std::optional<std::size_t> hoveredSegment() const override { return hover_.segment; }
-    QCursor cursor(const Workbench&) const override
+    QCursor cursor(const Workbench& bench) const override
     {
-        const QCursor hovered = hover_.cursor();
+        const QCursor hovered = hover_.cursor(bench.session);
         const bool drags = transform_.going() || end_.going() || guide_.going();
         return drags && hovered.shape() == Qt::ArrowCursor ? Qt::SizeAllCursor : hovered;
     }
@@ -149,7 +149,7 @@ void SelectTool::startDrag(Workbench& bench)
     if (hover_.mark == Mark::Pivot)
         return pivot_.start();
     if (hover_.box.value_or(app::Handle{}) != app::Handle{})
-        return resize_.start(*hover_.box, *handledBox(session), *pressed_, bench);
+        return resize_.start({*hover_.box, *handledFrame(session)}, *pressed_, bench);
     const auto area = bench.picking.areaAt(pressed_->raw);
     const bool inSelection = area && session.selection().contains(*area);
     if (!hover_.segment && !hover_.box && !inSelection)
@@ -252,9 +252,9 @@ QString SelectTool::hint(const Workbench& bench) const
 void SelectTool::paint(QPainter& painter, const Workbench& bench) const
 {
     ToolOfDrags::paint(painter, bench);
-    const auto box = handledBox(bench.session);
-    if (box && !transform_.going())
-        SelectionMarks::paint(painter, bench, resize_.going() ? resize_.target() : *box,
+    const auto frame = handledFrame(bench.session);
+    if (frame && !transform_.going())
+        SelectionMarks::paint(painter, bench, resize_.going() ? resize_.target() : *frame,
                               hover_.near);
     if (!resize_.going() && !end_.going() && !transform_.going())
         PivotMarks::paint(painter, bench, hover_.near);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/selection_marks.h"
 
+#include "app/session/selection_frame.h"
 #include "ui/tools/end_drag.h"
 #include "ui/tools/pivot_marks.h"
 
@@ -21,44 +22,54 @@ QRectF around(const QPointF& centre)
 
 } // namespace
 
-clipping::Window SelectionMarks::boxAround(const clipping::Window& bounds, const Workbench& bench)
+app::WindowFrame SelectionMarks::around(const app::WindowFrame& frame, const Workbench& bench)
 {
     const double more = bench.inDrawing(isQuiet(bench.session) ? quietOutside : outside);
-    return {bounds.min - more, bounds.max + more};
+    return {{frame.box.min - more, frame.box.max + more}, frame.angle};
 }
 
-bool SelectionMarks::isNear(const app::Point& screen, const clipping::Window& bounds,
+std::vector<app::PlacedHandle> SelectionMarks::handles(const app::WindowFrame& around,
+                                                       const Workbench& bench)
+{
+    std::vector<app::PlacedHandle> placed = app::placedHandles(around.box, bench.view);
+    for (app::PlacedHandle& handle : placed)
+        handle.screen = app::rotated(around, bench.view, handle.screen);
+    return placed;
+}
+
+bool SelectionMarks::isNear(const app::Point& screen, const app::WindowFrame& frame,
                             const Workbench& bench)
 {
-    const app::Point min = bench.view.toScreen(bounds.min), max = bench.view.toScreen(bounds.max);
+    const app::Point at = app::unrotated(frame, bench.view, screen);
+    const app::Point min = bench.view.toScreen(frame.box.min);
+    const app::Point max = bench.view.toScreen(frame.box.max);
     // The handle that rotates is above.
-    return screen.x >= min.x - nearby && screen.x <= max.x + nearby
-           && screen.y >= min.y - 2 * nearby && screen.y <= max.y + nearby;
+    return at.x >= min.x - nearby && at.x <= max.x + nearby && at.y >= min.y - 2 * nearby
+           && at.y <= max.y + nearby;
 }
 
 bool SelectionMarks::isQuiet(const app::Session& session)
 {
-    const app::ObjectRanges& selection = session.selection();
-    return selection.size() == 1
-           && std::holds_alternative<app::TextRecipe>(
-               session.now().objects()[selection.first()].particulars().recipe);
+    return std::holds_alternative<app::TextRecipe>(app::onlyRecipe(session));
 }
 
-void SelectionMarks::paint(QPainter& painter, const Workbench& bench,
-                           const clipping::Window& bounds, bool near)
+void SelectionMarks::paint(QPainter& painter, const Workbench& bench, const app::WindowFrame& frame,
+                           bool near)
 {
-    const clipping::Window box = boxAround(bounds, bench);
-    const QRectF frame(bench.onScreen(box.min), bench.onScreen(box.max));
+    const app::WindowFrame box = around(frame, bench);
+    QPolygonF outline;
+    for (const app::Point& corner : app::cornersOf(box))
+        outline << bench.onScreen(corner);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(bench.look.paper, casing));
-    painter.drawRect(frame);
+    painter.drawPolygon(outline);
     painter.setPen(QPen(bench.look.selection, 1));
-    painter.drawRect(frame);
+    painter.drawPolygon(outline);
     if (isQuiet(bench.session) && !near)
         return;
     painter.setPen(QPen(bench.look.selection, 1.5));
     painter.setBrush(bench.look.paper);
-    for (const app::PlacedHandle& placed : app::placedHandles(box, bench.view))
+    for (const app::PlacedHandle& placed : handles(box, bench))
         painter.drawEllipse(QPointF(placed.screen.x, placed.screen.y), handleRadius, handleRadius);
 }
 
@@ -71,13 +82,13 @@ QRectF selectionOnScreen(const Workbench& bench)
 std::vector<QRectF> selectionMarks(const Workbench& bench)
 {
     std::vector<QRectF> places;
-    const clipping::Window& bounds = *bench.session.selectionBounds();
     if (lineWithHandles(bench.session)) {
         for (const app::Point& end : EndDrag::handles(bench))
             places.push_back(around({end.x, end.y}));
     } else {
-        const clipping::Window box = SelectionMarks::boxAround(bounds, bench);
-        for (const app::PlacedHandle& placed : app::placedHandles(box, bench.view))
+        const app::WindowFrame box =
+            SelectionMarks::around(*app::selectionFrame(bench.session), bench);
+        for (const app::PlacedHandle& placed : SelectionMarks::handles(box, bench))
             places.push_back(around({placed.screen.x, placed.screen.y}));
     }
     places.push_back(around(PivotMarks::rotationHandle(bench)));

@@ -15,13 +15,12 @@ namespace {
 
 app::OwnPoints onlyPoint(const app::Point& point) { return {{point}, {point, point}}; }
 
-/// What only points to a place need not be in line with anything there.
+} // namespace
+
 app::SnapTo placesOnly()
 {
     return app::SnapTo::All.without("alignment").without("drawn-alignment");
 }
-
-} // namespace
 
 void TransformGesture::start(const app::Transformation& kind, const app::Point& pivot,
                              const app::Point& pointer, const app::Point& grabbed,

@@ -73,6 +73,9 @@ private:
     State done_{}; ///< the gesture of the last step
 };
 
+/// For what only points to a place: it need not be in line with anything there.
+app::SnapTo placesOnly();
+
 constexpr std::size_t mostPreviewed = 4000; // lines
 
 /// Paints lines of the selection as the map would make them, at most so many, and of long ones

@@ -138,7 +138,7 @@ app::WindowFrame WindowGesture::resized() const
     const Pointer& now = state_->to;
     app::Point from = state_->from.raw, to = now.raw;
     if (now.held || now.steered != now.raw) {
-        from = handle();
+        from = held().place();
         to = now.held ? now.position : now.steered;
     }
     const auto proportion =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/frame_handles.h"
 #include "ui/tools/drag.h"
+#include "ui/tools/frame_drag.h"
 
 namespace ui {
 
@@ -35,8 +35,7 @@ private:
     app::Preview::Drag drag() const;
     double angle() const;
     void push(Workbench& bench);
-    app::Point fixed() const;  ///< the point that stays while a handle is dragged
-    app::Point handle() const; ///< where the handle is at the start
+    HeldHandle held() const { return {state_->handle, state_->frame}; }
     const app::GestureMeasure& measure() const;
     app::GestureStart gaugeStart() const;
     app::Point reached() const; ///< where what is dragged is now

@@ -103,7 +103,9 @@ private:
         const auto factor = [&] { return std::array{0.5, 1.0, 2.0}[random_.below(3)]; };
         const app::Point corner = random_.point();
         const app::Point size{factor(), factor()};
-        return new app::ResizeObjects(document_, some(), {{0, 0}, {1, 1}}, {corner, corner + size},
+        const double angle = random_.below(2) ? 0.5 : 0;
+        return new app::ResizeObjects(document_, some(), {{{0, 0}, {1, 1}}, angle},
+                                      {{corner, corner + size}, angle},
                                       app::StrokeScaling(random_.below(2)));
     }
     app::AffineMap map()

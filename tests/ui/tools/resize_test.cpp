@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document_builder.h"
+#include "app/document/recipe_outline.h"
+#include "app/session/selection_frame.h"
 #include "ui/look/look.h"
 
 #include <QSignalSpy>
@@ -15,6 +18,14 @@ namespace tools_resize_test {
 class ResizeTest : public QObject {
     Q_OBJECT
 
+    static void type(const char* text)
+    {
+        for (const char* c = text; *c; ++c)
+            *c == '\t'   ? QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab)
+            : *c == '\n' ? QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return)
+                         : QTest::keyClick(QApplication::focusWidget(), *c);
+    }
+
     /// Two lines in the box from (50, 30) to (80, 60), which is selected, and one elsewhere.
     struct Hand : Stage {
         explicit Hand(const char* kind, app::Point end = {100, 70})
@@ -30,17 +41,41 @@ class ResizeTest : public QObject {
             canvas->setSnapping(app::SnapTo::Nothing.with(kind));
             drag({45, 25}, {85, 65});
         }
-        static void type(const char* text)
-        {
-            for (const char* c = text; *c; ++c)
-                *c == '\t'   ? QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab)
-                : *c == '\n' ? QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return)
-                             : QTest::keyClick(QApplication::focusWidget(), *c);
-        }
         clipping::Window box() const { return *session.selectionBounds(); }
         bool is(const clipping::Window& expected, double most = 1e-9) const
         {
             return near(box(), expected, most);
+        }
+    };
+
+    /// A rectangle of 60 by 30, turned by 0.5, which is selected.
+    struct TurnedHand : Stage {
+        TurnedHand() : Stage(ui::Backend::Raster, {line({180, 80}, {180, 95})})
+        {
+            session.changeDisplay([](app::Display& display) { display.unit = app::Unit::User; });
+            const app::Recipe recipe = app::RectangleRecipe{{60, 35}, {60, 30}, 0, 0.5};
+            const app::Subpath outline = *app::outlineOf(recipe);
+            app::DocumentBuilder builder;
+            builder.open({.name = "Drawing"});
+            app::Object turned{app::Path(std::span(&outline, 1)),
+                               {.stroke = app::Colour{}, .width = 1}};
+            turned.particulars.recipe = recipe;
+            builder.add(turned);
+            builder.add({app::Path(clipping::Segment{{180, 80}, {180, 95}}),
+                         {.stroke = app::Colour{}, .width = 1}});
+            builder.close();
+            session.load({builder.take(session.now().page()), {}});
+            canvas->setSnapping(app::SnapTo::Nothing);
+            session.select({0});
+        }
+        app::WindowFrame frame() const { return *app::selectionFrame(session); }
+        app::Point at(app::Handle handle) const
+        {
+            return app::outOfFrame(frame(), app::placeOf(handle, frame().box));
+        }
+        bool hasSides(const app::Point& sides) const
+        {
+            return glm::distance(frame().box.max - frame().box.min, sides) < 0.6;
         }
     };
 
@@ -113,13 +148,13 @@ private slots:
         Hand hand("ends");
         const app::Variant before = hand.session.variant();
         hand.drag({80, 60}, {90, 90});
-        hand.type("40\t25\n");
+        type("40\t25\n");
         QVERIFY(hand.is({{50, 30}, {90, 55}}));
-        hand.type("30\n"); // the height stays
+        type("30\n"); // the height stays
         QVERIFY(hand.is({{50, 30}, {80, 55}}));
         QCOMPARE(hand.session.history.count(), 1);
         QCOMPARE(hand.session.variant(), before);
-        hand.type("99");
+        type("99");
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
         QVERIFY(hand.is({{50, 30}, {80, 55}}));
         hand.canvas->undo();
@@ -130,12 +165,12 @@ private slots:
         Hand hand("ends");
         hand.drag({80, 60}, {95, 75}, Qt::LeftButton, Qt::ShiftModifier);
         hand.move({20, 20});
-        hand.type("150%\n");
+        type("150%\n");
         QVERIFY(hand.is({{50, 30}, {95, 75}}));
         hand.canvas->undo();
         hand.drag({80, 45}, {95, 45}, Qt::LeftButton, Qt::AltModifier);
         hand.move({20, 20});
-        hand.type("50\n");
+        type("50\n");
         QVERIFY(hand.is({{40, 30}, {90, 60}}));
     }
     void theNextActionEndsTheCorrection()
@@ -143,9 +178,47 @@ private slots:
         Hand hand("ends");
         hand.drag({80, 60}, {90, 90});
         hand.click({20, 20});
-        hand.type("40");
+        type("40");
         QVERIFY(hand.session.selection().empty());
         QCOMPARE(hand.session.history.index(), 1);
+    }
+    void aTurnedRectangleKeepsItsShapeAndItsTurn()
+    {
+        TurnedHand hand;
+        const app::WindowFrame before = hand.frame();
+        hand.drag(hand.at({1, 0}), hand.at({1, 0}) + app::turnedBy({20, 7}, before.angle));
+        app::WindowFrame after = hand.frame(); // a side follows across itself only
+        QCOMPARE(after.angle, before.angle);
+        QVERIFY(hand.hasSides({80, 30}));
+        QVERIFY(glm::distance(cornersOf(after)[0], cornersOf(before)[0]) < 1e-9);
+        const app::Point fixed = hand.at({1, 1});
+        hand.drag(hand.at({-1, -1}), hand.at({-1, -1}) + app::turnedBy({10, 5}, before.angle));
+        QVERIFY(hand.hasSides({70, 25}));
+        QVERIFY(glm::distance(hand.at({1, 1}), fixed) < 1e-9);
+        QCOMPARE(hand.session.history.count(), 2);
+        hand.canvas->undo();
+        hand.canvas->undo();
+        QCOMPARE(hand.frame(), before);
+    }
+    void aTurnedRectangleTakesNumbersOfItsOwnSides()
+    {
+        TurnedHand hand;
+        hand.drag(hand.at({1, 1}), hand.at({1, 1}) + app::turnedBy({20, 20}, hand.frame().angle));
+        type("40\t25\n");
+        QVERIFY(hand.hasSides({40, 25}));
+        hand.drag(hand.at({1, 1}), hand.at({1, 1}) + app::turnedBy({20, 12.5}, hand.frame().angle),
+                  Qt::LeftButton, Qt::ShiftModifier);
+        type("200%\n");
+        QVERIFY(hand.hasSides({80, 50}));
+    }
+    void theSideOfATurnedRectanglePassesThroughThePlace()
+    {
+        TurnedHand hand;
+        hand.canvas->setSnapping(app::SnapTo::Nothing.with("ends"));
+        const app::Point end{180, 80};
+        hand.drag(hand.at({1, 0}), end + app::Point(1, -0.5));
+        const app::WindowFrame after = hand.frame();
+        QVERIFY(std::abs(intoFrame(after, end).x - after.box.max.x) < 1e-9);
     }
     void nothingIsFlattened()
     {
