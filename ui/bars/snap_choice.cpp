@@ -12,17 +12,19 @@
 
 namespace ui {
 
+constexpr int arrow = 16; // pixels
+
 SnapChoice::SnapChoice(Canvas& canvas) : canvas_(canvas), menu_(new TickingMenu(this))
 {
     setIcon(ui::icon("snap"));
     setIconSize({18, 18});
-    setFixedSize(space::toolButton, space::toolButton);
+    setFixedSize(space::toolButton + arrow, space::toolButton);
     setCheckable(true);
     setAutoRaise(true);
     setObjectName(QStringLiteral("snap-choice"));
     setAccessibleName(Text::tr("Snap"));
     setMenu(menu_);
-    setPopupMode(QToolButton::DelayedPopup);
+    setPopupMode(QToolButton::MenuButtonPopup);
     setContextMenuPolicy(Qt::CustomContextMenu);
     connect(this, &QWidget::customContextMenuRequested, this, &QToolButton::showMenu);
     addKinds();
@@ -58,7 +60,7 @@ void SnapChoice::follow()
     setChecked(canvas_.snaps());
     setToolTip(
         app::withKeys(Text::tr("Snap to places of the drawing ({snap}). Hold Ctrl to suspend it.\n"
-                               "%1 of %2 kinds of places are chosen. Right click, or Alt+Down: "
+                               "%1 of %2 kinds of places are chosen. The arrow, or Alt+Down: "
                                "choose them."))
             .arg(now.size())
             .arg(app::snapKinds().size()));

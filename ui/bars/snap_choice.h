@@ -9,7 +9,7 @@ namespace ui {
 
 class TickingMenu;
 
-/// Switches snapping. Held, right clicked or with Alt+Down it opens the kinds of places that the
+/// Switches snapping. Its arrow, a right click or Alt+Down opens the kinds of places that the
 /// pointer snaps to.
 class SnapChoice : public QToolButton {
     Q_OBJECT

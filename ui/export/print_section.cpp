@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/print_section.h"
 
+#include "app/base/numbers.h"
+#include "app/document/paper.h"
 #include "app/tiles/sheet_settings.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
@@ -16,6 +18,7 @@ namespace ui {
 
 namespace {
 
+constexpr const char* lastPaper = "print/paper";
 constexpr int mostMargin = 100, mostOverlap = 200; // millimetres
 
 QSpinBox* millimetres(const QString& name, const char* key, int most, double now)
@@ -29,9 +32,18 @@ QSpinBox* millimetres(const QString& name, const char* key, int most, double now
     return field;
 }
 
+QString firstPaper(const app::Page& page)
+{
+    const QString last = QSettings().value(lastPaper).toString();
+    if (app::papers().contains(last))
+        return last;
+    const app::NamedPaper* own = app::namedPaperOf(page);
+    return own ? app::latin(own->name) : QStringLiteral("A4");
+}
+
 } // namespace
 
-PrintSection::PrintSection(QWidget* parent)
+PrintSection::PrintSection(const app::Page& page, QWidget* parent)
     : ExportSection(Text::tr("Paper"), parent), paper_(new ToolList),
       turn_(new Segments(Text::tr("Orientation"),
                          {Text::tr("Automatic"), Text::tr("Portrait"), Text::tr("Landscape")})),
@@ -44,8 +56,7 @@ PrintSection::PrintSection(QWidget* parent)
     paper_->setObjectName(QStringLiteral("print-paper"));
     paper_->setAccessibleName(Text::tr("Size of the paper"));
     paper_->addItems(app::papers());
-    const QString last = QSettings().value("print/paper").toString();
-    paper_->setCurrentText(app::papers().contains(last) ? last : QStringLiteral("A4"));
+    paper_->setCurrentText(firstPaper(page));
     turn_->setObjectName(QStringLiteral("print-turn"));
     turn_->setTips(
         {Text::tr("As needs fewer sheets"), Text::tr("Upright"), Text::tr("On its side")});
@@ -57,7 +68,10 @@ PrintSection::PrintSection(QWidget* parent)
     ofSeveral_ = {addRow(Text::tr("Overlap"), {overlap_, quietLabel(Text::tr("mm"))}),
                   addRow(Text::tr("Margin"), {margin_, quietLabel(Text::tr("mm"))}),
                   addRow(Text::tr("Marks"), {marks_})};
-    connect(paper_, &QComboBox::activated, this, &PrintSection::take);
+    connect(paper_, &QComboBox::activated, this, [this] {
+        QSettings().setValue(lastPaper, paper_->currentText());
+        take();
+    });
     connect(turn_, &Segments::picked, this, &PrintSection::take);
     connect(overlap_, &QSpinBox::valueChanged, this, &PrintSection::take);
     connect(margin_, &QSpinBox::valueChanged, this, &PrintSection::take);
@@ -72,7 +86,6 @@ void PrintSection::take()
     choice_.overlap = overlap_->value();
     choice_.margin = margin_->value();
     choice_.marks = marks_->isChecked();
-    QSettings().setValue("print/paper", paper_->currentText());
     emit changed();
 }
 

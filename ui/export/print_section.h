@@ -17,7 +17,8 @@ class PrintSection : public ExportSection {
     Q_OBJECT
 
 public:
-    explicit PrintSection(QWidget* parent = nullptr);
+    /// Begins with the paper that was chosen last, or else with that of the page.
+    explicit PrintSection(const app::Page& page, QWidget* parent = nullptr);
 
     const app::PrintChoice& choice() const { return choice_; } ///< its area does not count
     void showDivided(bool divided); ///< whether what is about several sheets counts

@@ -58,7 +58,7 @@ PrintSheet::PrintSheet(app::Session& session, Files& files)
     : Sheet(QStringLiteral("print"), Text::tr("Print"), Width::Wide), session_(session),
       files_(files), live_(std::make_shared<app::LiveExport>(session)),
       preview_(new ExportPreview(session, live_)), area_(new AreaSection(session, *live_)),
-      paper_(new PrintSection), sheets_(new LookLabel), error_(new LookLabel),
+      paper_(new PrintSection(session.now().page())), sheets_(new LookLabel), error_(new LookLabel),
       print_(plainButton(Text::tr("Print…"))), toFile_(plainButton(Text::tr("To PDF file…")))
 {
     body().addWidget(area_);

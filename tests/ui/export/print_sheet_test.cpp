@@ -36,10 +36,14 @@ public:
 /// The editor with a plan of 400 × 250 mm, and a line along 100 mm of it.
 class Desk : public OutputDesk<PrintSheet> {
 public:
-    Desk()
-        : OutputDesk("print", "plan.svg",
-                     "<svg xmlns='http://www.w3.org/2000/svg' width='400mm' height='250mm' "
-                     "viewBox='0 0 400 250'><path d='M20 60H120' stroke='#000' fill='none'/></svg>")
+    Desk() : Desk("width='400mm' height='250mm' viewBox='0 0 400 250'") {}
+    explicit Desk(const QString& page)
+        : OutputDesk(
+            "print", "plan.svg",
+            QStringLiteral("<svg xmlns='http://www.w3.org/2000/svg' %1><path d='M20 60H120' "
+                           "stroke='#000' fill='none'/></svg>")
+                .arg(page)
+                .toUtf8())
     {
     }
     void press(const char* name)
@@ -88,6 +92,16 @@ private slots:
         t.choosePaper("A3");
         QVERIFY2(t.sheetsText().startsWith("<b>1</b> of 420.00"), qPrintable(t.sheetsText()));
         QVERIFY(!t.part("print-overlap").isVisible());
+    }
+    void thePaperIsThatOfThePageUntilAnotherIsChosen()
+    {
+        Desk t("width='420mm' height='297mm' viewBox='0 0 420 297'");
+        t.openSheet();
+        QVERIFY2(t.sheetsText().startsWith("<b>1</b> of 420.00"), qPrintable(t.sheetsText()));
+        t.choosePaper("Letter");
+        t.press("cancel-print");
+        t.openSheet();
+        QCOMPARE(t.part<ToolList>("print-paper").currentText(), "Letter");
     }
     void withoutAPrinterASentenceSaysWhatToDo()
     {
