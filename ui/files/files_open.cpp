@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/memory.h"
-#include "app/document/document.h"
 #include "app/formats/loss_text.h"
 #include "app/session/last_page.h"
+#include "app/session/open_file.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 
@@ -18,39 +17,6 @@ namespace ui {
 namespace {
 
 constexpr double newPenMillimetres = 0.3; // the stroke width in a new drawing
-
-/// A file's drawing and the blocks of its lines.
-struct Opened {
-    app::Result<app::Imported> drawing;
-    std::optional<app::SceneBlockCache> blocks{};
-};
-
-/// Why there is not enough memory to show a drawing that has been read; may be empty.
-QString faultToShow(const app::Document& document)
-{
-    constexpr std::uint64_t bytesOfLine = 100; // its segment, its pieces and its strokes
-    return app::memoryFault(document.objects().size() * bytesOfLine);
-}
-
-Opened opened(const QString& path)
-{
-    Opened opened{app::readFile(path)};
-    try {
-        const QString fault =
-            opened.drawing ? faultToShow(opened.drawing.value->document) : QString();
-        if (!fault.isEmpty())
-            opened.drawing = app::Result<app::Imported>::failure(
-                Text::tr("Cannot open %1: %2").arg(path, fault));
-        else if (opened.drawing)
-            opened.blocks = app::blocksFor(opened.drawing.value->document);
-    } catch (const std::bad_alloc&) {
-        opened.drawing = app::Result<app::Imported>::failure(
-            Text::tr("Cannot open %1: there is not enough memory. Close other programs, or split "
-                     "the file.")
-                .arg(path));
-    }
-    return opened;
-}
 
 /// On the page that was kept last.
 app::Document emptyDrawing()
@@ -158,8 +124,8 @@ void Files::read(const QString& path, const Turn& turn)
 {
     background_.run(
         Text::tr("Opening %1…").arg(QFileInfo(path).fileName()),
-        [path](const app::Follower&) { return opened(path); },
-        [this, path, turn](std::optional<Opened> read) {
+        [path](const app::Follower&) { return app::openFile(path); },
+        [this, path, turn](std::optional<app::OpenedFile> read) {
             opening_.clear();
             if (!read)
                 return emit notOpened({});
