@@ -72,16 +72,49 @@ const Format& drawingFormat(const ParsedArguments& arguments, const QString& opt
                          .arg(path == standardStream ? stream : path, type, types)};
 }
 
-ReadOptions readOptionsOf(const ParsedArguments& arguments)
+std::optional<Unit> unitOf(const ParsedArguments& arguments)
 {
     const QString option = QStringLiteral("unit");
     const auto text = arguments.text(option);
     if (!text)
-        return {};
+        return std::nullopt;
     const auto unit = std::ranges::find(units(), text->toStdString(), &UnitInfo::suffix);
     if (unit == units().end() || !(unit->millimetres > 0))
         refuse({option, *text}, Text::tr("a unit such as mm, m or in"));
-    return {unit->unit};
+    return unit->unit;
+}
+
+QString projectionKeys(const QString& between)
+{
+    QStringList keys;
+    for (const ProjectionKind& kind : projections())
+        keys << latin(kind.key);
+    return keys.join(between);
+}
+
+Projection projectionOf(const ParsedArguments& arguments)
+{
+    const QString option = QStringLiteral("projection");
+    const auto text = arguments.text(option);
+    if (!text)
+        return projections().front().projection;
+    const auto kind = std::ranges::find(projections(), text->toStdString(), &ProjectionKind::key);
+    if (kind == projections().end())
+        refuse({option, *text}, projectionKeys(Text::tr(" or ")));
+    return kind->projection;
+}
+
+/// If none of the files can be a map.
+void refuseProjection(const ParsedArguments& arguments, std::initializer_list<const Format*> files)
+{
+    const auto isMap = [](const Format* format) { return format->takes.projection; };
+    if (arguments.has(QStringLiteral("projection")) && std::ranges::none_of(files, isMap))
+        throw WrongUsage{Text::tr("--projection is for geojson maps. Leave out the option.")};
+}
+
+ReadOptions readOptionsOf(const ParsedArguments& arguments)
+{
+    return {unitOf(arguments), projectionOf(arguments)};
 }
 
 } // namespace
@@ -93,7 +126,7 @@ const Format& readFormatOf(const ParsedArguments& arguments, const QString& path
         return formats()[0];
     const Format& format =
         drawingFormat(arguments, QStringLiteral("from"), path, &Format::read, formatToRead(path));
-    if (readOptionsOf(arguments).unit && !format.readWith)
+    if (unitOf(arguments) && !format.takes.unit)
         throw WrongUsage{
             Text::tr("--unit: a file of type %1 is in its own unit. Leave out the option.")
                 .arg(QLatin1StringView(format.key))};
@@ -110,6 +143,10 @@ std::vector<Option> readingOptions()
              "UNIT",
              Text::tr("Unit of a dxf file that does not say it, or says it wrongly: mm, cm, m, in "
                       "or ft (mm).")},
+            {{"projection"},
+             projectionKeys(QStringLiteral("|")),
+             Text::tr("How degrees of geojson maps become a plane, in the input and in the output "
+                      "(plate-carree).")},
             {{"text"},
              "outlines|strokes",
              Text::tr("Letters of texts as outlines of their font (the default), or as single "
@@ -238,6 +275,8 @@ void joinAsAsked(const ParsedArguments& arguments, Imported& imported)
 static Imported readAsItIs(const ParsedArguments& arguments, const QString& path)
 {
     const Format& format = readFormatOf(arguments, path);
+    if (!arguments.knows(QStringLiteral("output")))
+        refuseProjection(arguments, {&format});
     if (path != standardStream)
         return readAs(path, format, readOptionsOf(arguments));
     QFile in;
@@ -300,6 +339,8 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
         throw WrongUsage{Text::tr("--dxf: a file of type %1 is no DXF file. Leave out the option, "
                                   "or write a dxf file.")
                              .arg(QLatin1StringView(output.format->key))};
+    output.options.projection = projectionOf(arguments);
+    refuseProjection(arguments, {output.format, &readFormatOf(arguments, input)});
     output.options.plain = arguments.has(QStringLiteral("plain"));
     if (output.options.plain && !output.format->takes.plain)
         throw WrongUsage{Text::tr("--plain: a file of type %1 is no SVG file. Leave out the "

@@ -23,6 +23,7 @@ public:
 
     bool helpWanted() const { return has(QStringLiteral("help")); }
     bool has(const QString& option) const { return parser_.isSet(option); }
+    bool knows(const QString& option) const { return longNames_.contains(option); } ///< the command
     QStringList operands() const { return parser_.positionalArguments(); }
     /// The value as written; empty if the option was not given.
     std::optional<QString> text(const QString& option) const;

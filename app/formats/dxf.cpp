@@ -21,7 +21,7 @@ Format dxfFormat()
                 .arg(countText(std::size_t(dxf::deepestInsert)), countText(dxf::mostParts),
                      countText(Containers::mostLayers)),
             Text::tr("CAD, laser"),
-            {.precision = true, .dxf = true},
+            {.precision = true, .dxf = true, .unit = true},
             dxf::read};
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/base/result.h"
 #include "app/document/document.h"
+#include "app/formats/projection.h"
 
 #include <QIODevice>
 #include <QStringList>
@@ -56,6 +57,7 @@ struct Imported {
 /// What a person says about a file that may not say it itself.
 struct ReadOptions {
     std::optional<Unit> unit{}; ///< of its coordinates; one that has a size
+    Projection projection = Projection::PlateCarree; ///< of its degrees
 };
 
 /// Versions of DXF that are written: with curves, true colours and line weights, or for old
@@ -81,6 +83,7 @@ struct WriteOptions {
     /// column, and rows in drawing order.
     std::vector<std::uint32_t> sources{};
     DxfVersion dxf = DxfVersion::R2000; ///< DXF only
+    Projection projection = Projection::PlateCarree; ///< GeoJSON: in which degrees were drawn
     bool plain = false; ///< SVG: nothing but SVG, so that texts, shapes and layers are only drawn
     /// DXF: the page of the whole drawing, if that of the document is only a part.
     std::optional<clipping::Window> wholePage{};
@@ -97,7 +100,8 @@ enum class Holds : std::uint8_t { Paths, Outlines, Polygons, SeparateLines };
 /// Whether the format can store hidden objects as hidden.
 enum class StoresHidden : std::uint8_t { No, Yes };
 
-/// Which members of WriteOptions a format takes, and whether its files have a page of their own.
+/// Which members of ReadOptions and WriteOptions a format takes, and whether its files have a page of
+/// their own.
 struct FormatTakes {
     bool dpi = false;
     bool background = false;
@@ -105,6 +109,8 @@ struct FormatTakes {
     bool paper = false;
     bool dxf = false;   ///< WriteOptions::dxf
     bool plain = false; ///< WriteOptions::plain
+    bool unit = false;  ///< ReadOptions::unit
+    bool projection = false;
 };
 
 /// One row of the catalogue of file formats. A null function: not supported.

@@ -10,14 +10,15 @@ Format geojsonFormat()
 {
     return {.key = "geojson",
             .name = Text::tr("GeoJSON map"),
-            .read = geojson::read,
+            .read = [](QIODevice& in) { return geojson::read(in, {}); },
             .write = geojson::write,
             .holds = Holds::Polygons,
             .limits = Text::tr("%1 bytes, %2 layers (further layers become one)")
                           .arg(countText(std::size_t(geojson::mostBytes)),
                                countText(Containers::mostLayers)),
             .purpose = Text::tr("maps"),
-            .takes = {.precision = true}};
+            .takes = {.precision = true, .projection = true},
+            .readWith = geojson::read};
 }
 
 } // namespace app

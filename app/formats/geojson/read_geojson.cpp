@@ -38,7 +38,7 @@ struct Drawn {
 };
 
 struct FoundLosses {
-    int heights = 0, properties = 0, empty = 0;
+    int heights = 0, properties = 0, empty = 0, beyond = 0;
 };
 
 std::optional<Colour> simpleColour(const QJsonObject& properties, const QString& name)
@@ -53,6 +53,8 @@ std::optional<Colour> simpleColour(const QJsonObject& properties, const QString&
 
 class FeatureReader {
 public:
+    explicit FeatureReader(Projection projection) : projection_(kindOf(projection)) {}
+
     void addText(const QByteArray& bytes, qsizetype firstLine)
     {
         QJsonParseError error{};
@@ -66,6 +68,9 @@ public:
 
     Imported take()
     {
+        const bool hasDegrees = this->hasDegrees();
+        if (projection_.projection != Projection::PlateCarree)
+            project();
         csv::LinesByLayer lines;
         const double width = widthOfStrokes();
         for (Drawn& drawn : drawn_) {
@@ -74,9 +79,9 @@ public:
             lines.turnTo(drawn.layer);
             lines.add(drawn.paths, lines.style(drawn.style));
         }
-        Imported imported{.document = lines.take(), .report = report(lines.beyond())};
+        Imported imported{.document = lines.take(), .report = report(lines.beyond(), hasDegrees)};
         imported.paged = false;
-        if (hasDegrees())
+        if (hasDegrees)
             imported.document.apply({.page = ofUsualSize(imported.document.page())});
         return imported;
     }
@@ -162,8 +167,7 @@ private:
         if (!(std::abs(p.x) <= largestNumber && std::abs(p.y) <= largestNumber))
             throw Unreadable{Text::tr("a number is too large; numbers go up to 1e300.")};
         losses_.heights += position.size() > 2;
-        box_ = box_ ? clipping::Window{glm::min(box_->min, p), glm::max(box_->max, p)}
-                    : clipping::Window{p, p};
+        include(p);
         return p;
     }
 
@@ -196,6 +200,32 @@ private:
         return page;
     }
 
+    // Until here y is the negative latitude.
+    void project()
+    {
+        if (box_ && !hasDegrees())
+            throw Unreadable{
+                Text::tr("its positions are no degrees, so they cannot be drawn as %1.")
+                    .arg(projection_.name)};
+        box_.reset();
+        const auto draw = [&](Point& p) {
+            const double latitude = std::clamp(-p.y, -farthestLatitude, farthestLatitude);
+            losses_.beyond += latitude != -p.y;
+            const Point up = projection_.onPlane({p.x, latitude});
+            p = {up.x, 0 - up.y};
+            include(p);
+        };
+        for (Drawn& drawn : drawn_)
+            for (Subpath& path : drawn.paths)
+                forEachPoint(path, draw);
+    }
+
+    void include(const Point& p)
+    {
+        box_ = box_ ? clipping::Window{glm::min(box_->min, p), glm::max(box_->max, p)}
+                    : clipping::Window{p, p};
+    }
+
     double widthOfStrokes() const
     {
         const Point size = box_ ? box_->max - box_->min : Point{0, 0};
@@ -209,13 +239,19 @@ private:
                && box_->max.y <= 90;
     }
 
-    std::vector<Loss> report(int beyond) const
+    std::vector<Loss> report(int beyond, bool hasDegrees) const
     {
         std::vector<Loss> report;
-        if (hasDegrees())
-            report.push_back({Text::tr("map in degrees, drawn as plate carrée: a user unit for "
-                                       "each degree"),
-                              1, true});
+        if (hasDegrees)
+            report.push_back(
+                {Text::tr("map in degrees, drawn as %1: a user unit for each degree of "
+                          "longitude")
+                     .arg(projection_.name),
+                 1, true});
+        if (losses_.beyond > 0)
+            report.push_back({Text::tr("positions beyond %1° of latitude, where %2 ends")
+                                  .arg(numberText(farthestLatitude, 2), projection_.name),
+                              losses_.beyond, false, Text::tr("drawn at its edge")});
         if (losses_.properties > 0)
             report.push_back({Text::tr("properties of features"), losses_.properties});
         if (losses_.heights > 0)
@@ -229,6 +265,7 @@ private:
         return report;
     }
 
+    const ProjectionKind& projection_;
     std::vector<Drawn> drawn_;
     std::optional<clipping::Window> box_;
     FoundLosses losses_;
@@ -254,7 +291,7 @@ void readTexts(FeatureReader& reader, const QByteArray& bytes)
 
 } // namespace
 
-Result<Imported> read(QIODevice& in)
+Result<Imported> read(QIODevice& in, const ReadOptions& options)
 {
     try {
         const QByteArray bytes = in.read(mostBytes + 1);
@@ -264,7 +301,7 @@ Result<Imported> read(QIODevice& in)
         if (QString fault = memoryFault(std::uint64_t(bytes.size()) * memoryForByte);
             !fault.isEmpty())
             throw Unreadable{fault};
-        FeatureReader reader;
+        FeatureReader reader(options.projection);
         readTexts(reader, bytes);
         return Result<Imported>::of(reader.take());
     } catch (const Unreadable& unreadable) {

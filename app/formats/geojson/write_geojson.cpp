@@ -29,11 +29,13 @@ public:
     FeatureWriter(const Document& document, QIODevice& out, const WriteOptions& options)
         : document_(document), out_(out), options_(options),
           height_(heightOfPlane(document.page(), options)),
-          tolerance_(options.tolerance > 0 ? options.tolerance : usualTolerance(document.page()))
+          tolerance_(options.tolerance > 0 ? options.tolerance : usualTolerance(document.page())),
+          onGlobe_(kindOf(options.projection).onGlobe)
     {
         if (options_.bounds)
-            options_.bounds = {{options_.bounds->min.x, height_ - options_.bounds->max.y},
-                               {options_.bounds->max.x, height_ - options_.bounds->min.y}};
+            options_.bounds = {
+                onGlobe_({options_.bounds->min.x, height_ - options_.bounds->max.y}),
+                onGlobe_({options_.bounds->max.x, height_ - options_.bounds->min.y})};
     }
 
     std::optional<QString> write()
@@ -103,7 +105,7 @@ private:
 
     Point written(const Point& p) const
     {
-        const Point up{p.x, height_ - p.y};
+        const Point up = onGlobe_({p.x, height_ - p.y});
         return options_.precision < 0 ? up : roundedPoint(up, options_);
     }
 
@@ -174,6 +176,7 @@ private:
     QIODevice& out_;
     WriteOptions options_;
     const double height_, tolerance_;
+    Point (*const onGlobe_)(const Point& at);
     std::string text_;
     bool isFirst_ = true, failed_ = false;
 };

@@ -19,12 +19,12 @@ namespace {
 /// The text with quotation marks for its apostrophes.
 QByteArray json(QByteArray text) { return text.replace('\'', '"'); }
 
-Result<Imported> readMap(const QByteArray& text)
+Result<Imported> readMap(const QByteArray& text, const ReadOptions& options = {})
 {
     QBuffer buffer;
     buffer.setData(text);
     buffer.open(QIODevice::ReadOnly);
-    return findFormat(u"geojson")->read(buffer);
+    return findFormat(u"geojson")->readWith(buffer, options);
 }
 
 QByteArray mapOf(const Document& document, const WriteOptions& options = {})
@@ -66,6 +66,48 @@ class GeojsonTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // The square of Web Mercator ends where x and y are 180 degrees. The other place is the example for
+    // EPSG:3857 in IOGP's guidance note 373-7-2; its metres are 6,378,137 times as many radians.
+    void degreesBecomeWebMercator()
+    {
+        const ReadOptions mercator{.projection = Projection::WebMercator};
+        const auto read =
+            readMap(lineText("[[0,0],[180,85.05112877980659],[-100.33333333333333,24.381786944444444]]"), mercator);
+        QVERIFY2(read, qPrintable(read.error));
+        const Subpath path = read.value->document.objects()[0].path().subpaths()[0];
+        const auto isAt = [](const Point& p, double x, double y) {
+            return std::abs(p.x - x) < 1e-9 && std::abs(p.y + y) < 1e-9;
+        };
+        QVERIFY(isAt(path.start, 0, 0));
+        QVERIFY(isAt(path.segments[0].to, 180, 180));
+        constexpr double metres = 6378137 * 3.14159265358979323846 / 180;
+        QVERIFY(std::abs(path.segments[1].to.x * metres + 11169055.58) < 0.01);
+        QVERIFY(std::abs(-path.segments[1].to.y * metres - 2800000.00) < 0.01);
+        QCOMPARE(read.value->report.front().what,
+                 "map in degrees, drawn as Web Mercator: a user unit for each degree of longitude");
+    }
+    void webMercatorIsWrittenAsDegreesAgain()
+    {
+        const QByteArray line = "[[-170.5,-85],[9.993682,53.551086],[0,1e-9],[12,60]]";
+        const auto read = readMap(lineText(line), {.projection = Projection::WebMercator});
+        const QByteArray text =
+            mapOf(read.value->document,
+                  {.precision = 9, .projection = Projection::WebMercator, .paged = false});
+        QCOMPARE(compact(geometriesOf(text)[0].toObject()["coordinates"]),
+                 "[[-170.5,-85],[9.993682,53.551086],[0,1e-09],[12,60]]");
+    }
+    void whereWebMercatorEndsIsTold()
+    {
+        const ReadOptions mercator{.projection = Projection::WebMercator};
+        const auto read = readMap(lineText("[[0,-90],[1,90],[2,80]]"), mercator);
+        QCOMPARE(read.value->report[1].what,
+                 "positions beyond 85.05° of latitude, where Web Mercator ends");
+        QCOMPARE(read.value->report[1].count, 2);
+        QVERIFY(!read.value->report[1].remark);
+        const auto metres = readMap(lineText("[[0,0],[500000,100]]"), mercator);
+        QCOMPARE(metres.error,
+                 "its positions are no degrees, so they cannot be drawn as Web Mercator.");
+    }
     void linesLieWithNorthAbove()
     {
         const auto read = readMap(lineText("[[8.5,47.25],[9,48],[9.5,-1]]"));
