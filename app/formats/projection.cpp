@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-Point same(const Point& at) { return at; }
+Point unchanged(const Point& at) { return at; }
 
 // asinh(tan) keeps more digits near the equator than the usual ln(tan(45° + latitude / 2)).
 Point mercator(const Point& at)
@@ -30,7 +30,7 @@ Point fromMercator(const Point& at)
 std::span<const ProjectionKind> projections()
 {
     static const std::array all{
-        ProjectionKind{Projection::PlateCarree, "plate-carree", same, same,
+        ProjectionKind{Projection::PlateCarree, "plate-carree", unchanged, unchanged,
                        Text::tr("plate carrée")},
         ProjectionKind{Projection::WebMercator, "web-mercator", mercator, fromMercator,
                        Text::tr("Web Mercator")},

@@ -160,6 +160,40 @@ bool isShownWrongly(const TracedLine& traced)
            && clipped(published, traced.line, traced.window);
 }
 
+/// Exactly on the bottom or top edge, and beyond it at one end.
+Segment alongEdge(Random& random, const Window& window)
+{
+    const double step = readableStep(window), y = random.heads() ? window.min.y : window.max.y;
+    const double from = window.min.x - wholeBetween(random, 1, 8) * step,
+                 to = from + wholeBetween(random, 14, 34) * step;
+    return random.heads() ? Segment{{from, y}, {to, y}} : Segment{{to, y}, {from, y}};
+}
+bool isAlongEdge(const TracedLine& traced)
+{
+    const auto& [a, b] = traced.line;
+    const auto isInside = [&](const Point& p) {
+        return clipping::outcodeOf(p, traced.window) == 0;
+    };
+    const auto seen = clipped(exactVariant(), traced.line, traced.window);
+    return a.y == b.y && (a.y == traced.window.min.y || a.y == traced.window.max.y)
+           && isInside(a) != isInside(b) && seen
+           && glm::distance(seen->a, seen->b) > halfOf(traced.window).x / 2;
+}
+
+/// Through the middle of the window, with coordinates whose products are infinite.
+Segment huge(Random& random, const Window& window)
+{
+    const Point far{wholeBetween(random, 1, 9) * 1e200, wholeBetween(random, 1, 9) * 1e200};
+    const Point end{far.x, random.heads() ? far.y : -far.y};
+    return random.heads() ? Segment{middleOf(window) - end, middleOf(window) + end}
+                          : Segment{middleOf(window) + end, middleOf(window) - end};
+}
+bool isHuge(const TracedLine& traced)
+{
+    return clipped(exactVariant(), traced.line, traced.window) && std::abs(traced.line.a.x) >= 1e200
+           && std::abs(traced.line.a.y) >= 1e200;
+}
+
 } // namespace
 
 // THE CATALOGUE. To add a family: its two functions, a line here, and its row in the README of the
@@ -178,6 +212,8 @@ std::span<const LineFamily> lineFamilies()
         LineFamily{"steep", steep, isSteep},
         LineFamily{"diagonal", diagonal, isCutForEver},
         LineFamily{"past-corner", pastCorner, isShownWrongly},
+        LineFamily{"along-edge", alongEdge, isAlongEdge},
+        LineFamily{"huge", huge, isHuge},
     };
     // clang-format on
     return all;

@@ -18,9 +18,13 @@ constexpr std::array keys{
     "why-clip",
     "outcodes",
     "parameters",
-    "avoiding-divisions",
+    "nicholl-lee-nicholl",
+    "skala",
+    "kwc",
     "method-2019",
+    "fewest-operations",
     "rounding",
+    "how-a-clipper-fails",
 };
 // clang-format on
 

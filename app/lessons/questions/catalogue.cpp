@@ -11,6 +11,8 @@ extern const QuestionKind visibleQuestion;
 extern const QuestionKind regionQuestion;
 extern const QuestionKind nextQuestion;
 extern const QuestionKind edgeQuestion;
+extern const QuestionKind edgesQuestion;
+extern const QuestionKind cornersQuestion;
 extern const QuestionKind cheaperQuestion;
 extern const QuestionKind rightQuestion;
 
@@ -24,6 +26,8 @@ std::span<const QuestionKind> questionKinds()
         regionQuestion,
         nextQuestion,
         edgeQuestion,
+        edgesQuestion,
+        cornersQuestion,
         cheaperQuestion,
         rightQuestion,
     };

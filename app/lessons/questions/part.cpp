@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
-#include "app/lessons/question.h"
+#include "app/lessons/questions/edge_at.h"
 
 namespace app {
 
 namespace {
-
-/// The edge of the window on which a point lies.
-clipping::Edge edgeAt(const Point& p, const clipping::Window& window)
-{
-    return p.x == window.min.x   ? clipping::Edge::Left
-           : p.x == window.max.x ? clipping::Edge::Right
-           : p.y == window.min.y ? clipping::Edge::Bottom
-                                 : clipping::Edge::Top;
-}
 
 /// "ask part": which of the three parts stays of a line that both sides of the window cut.
 std::optional<Question> askPart(const TracedLine& tracedLine, const Narration&, std::size_t,

@@ -10,6 +10,8 @@
 
 #include <QTest>
 
+#include <glm/geometric.hpp>
+
 #include <functional>
 #include <set>
 
@@ -128,7 +130,10 @@ QString cheaperByHand(const TracedLine& asked, const QStringList& words)
         TracedLine other = asked;
         other.variant = variant;
         const auto cost = narrationOf(other).steps.back().cost;
-        return words[0] == "divisions" ? cost.divisions : cost.comparisons;
+        return words[0] == "divisions"         ? cost.divisions
+               : words[0] == "multiplications" ? cost.multiplications
+               : words[0] == "additions"       ? cost.additions
+                                               : cost.comparisons;
     };
     const Variant one = *findVariant(words[1]), other = *findVariant(words[2]);
     const auto ofOne = operations(one), ofOther = operations(other);
@@ -145,7 +150,44 @@ QString rightByHand(const TracedLine& asked, const Narration& narration)
         return QStringLiteral("No, it never ends");
     if (narration.visible.has_value() != exact.has_value())
         return exact ? QStringLiteral("No, it shows nothing") : QStringLiteral("No, it shows too");
-    return QStringLiteral("Yes");
+    const auto& [a, b] = asked.line;
+    const double most = 1e-9 * std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), 1.0});
+    const bool isNear = !exact
+                        || (glm::distance(narration.visible->a, exact->a) <= most
+                            && glm::distance(narration.visible->b, exact->b) <= most);
+    return isNear ? QStringLiteral("Yes") : QStringLiteral("No, an end");
+}
+
+/// Where a line that is cut twice has its ends afterwards, in the order of the choices.
+QString edgesByHand(const TracedLine& asked)
+{
+    const auto seen = *clipped(exactVariant(), asked.line, asked.window);
+    const auto& [min, max] = asked.window;
+    QStringList edges;
+    for (const auto& [edge, meets] :
+         {std::pair{clipping::Edge::Left, seen.a.x == min.x || seen.b.x == min.x},
+          std::pair{clipping::Edge::Right, seen.a.x == max.x || seen.b.x == max.x},
+          std::pair{clipping::Edge::Bottom, seen.a.y == min.y || seen.b.y == min.y},
+          std::pair{clipping::Edge::Top, seen.a.y == max.y || seen.b.y == max.y}})
+        if (meets)
+            edges << edgeWords(edge, asked.y);
+    return edges.join(" and ");
+}
+
+/// A corner is left of a line that goes up there if its x is smaller than that of the line's point
+/// at its height; and so on.
+QString cornersByHand(const TracedLine& asked)
+{
+    const auto& [a, b] = asked.line;
+    const auto& [min, max] = asked.window;
+    int left = 0;
+    for (const Point& corner : {min, Point(max.x, min.y), max, Point(min.x, max.y)}) {
+        if (a.x == b.x)
+            left += (corner.x < a.x) == (b.y > a.y);
+        else
+            left += (corner.y > a.y + (b.y - a.y) * (corner.x - a.x) / (b.x - a.x)) == (b.x > a.x);
+    }
+    return QStringList{"None", "One", "Two", "Three", "All"}[left];
 }
 
 int solved(const Course& course)
@@ -166,6 +208,10 @@ int solved(const Course& course)
         words = eventAfter(narration, step);
     else if (spec.kind == "edge")
         words = edgeAfter(asked, narration, step);
+    else if (spec.kind == "edges")
+        words = edgesByHand(asked);
+    else if (spec.kind == "corners")
+        words = cornersByHand(asked);
     else if (spec.kind == "cheaper")
         words = cheaperByHand(asked, spec.words);
     else

@@ -550,6 +550,19 @@ private slots:
                                "window 0,0 1,1",
                                {"right"})),
                  "No, it shows too much");
+        QCOMPARE(rightOf(asked(crossing, {"edges"})), "the left edge and the top edge");
+        QVERIFY(!asked(passing, {"edges"}));
+        QCOMPARE(rightOf(asked(crossing, {"corners"})), "One"); // the top left one
+        QCOMPARE(rightOf(asked("cs line 70,130 -160,-30 window -100,-75 100,75", {"corners"})),
+                 "Three");
+        QVERIFY(!asked("cs line -150,-75 0,-75 window -100,-75 100,75", {"corners"}));
+        QCOMPARE(rightOf(asked("skala:published line -1,0 1,0 window 0,0 2,2", {"right"})),
+                 "No, it shows nothing, but a part is visible");
+        QCOMPARE(rightOf(asked("skala:published line 1,0 -1,0 window 0,0 2,2", {"right"})),
+                 "Yes, apart from rounding");
+        QCOMPARE(rightOf(asked("nln:published line -1e200,5e199 1e200,-5e199 window -1,-1 1,1",
+                               {"right"})),
+                 "No, an end is in the wrong place");
         QVERIFY(!asked(crossing, {"region", "3"}));
         QVERIFY(!asked(crossing, {"nonsense"}));
         QVERIFY(!asked(passing, {"part"}));
