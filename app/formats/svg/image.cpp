@@ -62,8 +62,6 @@ std::optional<std::vector<Point>> convexCorners(const ClipWindows& windows)
     return corners;
 }
 
-AffineMap mapOf(const Matrix& m) { return {{m.a, m.b}, {m.c, m.d}, {0, 0}, {m.e, m.f}}; }
-
 std::vector<Point> mapped(std::vector<Point> points, const Matrix& matrix)
 {
     for (Point& point : points)
@@ -174,6 +172,7 @@ std::optional<TreeDrawer::Image> TreeDrawer::imageOf(Node node, const Place& aro
         return std::nullopt;
     }
     reportEffects(place.properties, false);
+    report_.add(losses::sharpPixels, place.properties.sharpPixels);
     const auto aspect = tree_.attribute(node, "preserveAspectRatio");
     Image image{{.file = file,
                  .place = mapOf(place.matrix * viewBoxTransform(pixels, *viewport, aspect)),

@@ -30,9 +30,10 @@ public:
     }
     double width() const { return lengths_.viewport.x; }
     double height() const { return lengths_.viewport.y; }
-    Outline outline(Subpath path) const
+    Outline outline(Subpath path, Recipe recipe = {}) const
     {
         Outline made{{std::move(path)}, damaged_};
+        made.recipe = std::move(recipe);
         const Subpath& only = made.paths.front();
         if (only.closed && only.segments.back().to == only.start) // it is closed by this segment
             made.joints.push_back({0, only.segments.size() - 1});
@@ -82,8 +83,10 @@ Outline rectangleOutline(const Tree& tree, Node node, const Properties& p, const
         return a.nothing();
     const Point max = min + size;
     if (radii.x > 0 && radii.y > 0)
-        return a.outline(roundedRectangle(min, max, radii));
-    return a.outline({min, {{{max.x, min.y}}, {max}, {{min.x, max.y}}}, true});
+        return a.outline(roundedRectangle(min, max, radii),
+                         radii.x == radii.y ? RectangleRecipe{min, size, radii.x} : Recipe());
+    return a.outline({min, {{{max.x, min.y}}, {max}, {{min.x, max.y}}}, true},
+                     RectangleRecipe{min, size});
 }
 
 Outline round(ShapeLengths& a, const Point& radii)
@@ -91,7 +94,7 @@ Outline round(ShapeLengths& a, const Point& radii)
     const Point centre{a.x("cx").value_or(0), a.y("cy").value_or(0)};
     if (!(radii.x > 0 && radii.y > 0))
         return a.nothing();
-    return a.outline(ellipsePath(centre, radii));
+    return a.outline(ellipsePath(centre, radii), EllipseRecipe{centre, radii});
 }
 
 Outline circleElement(const Tree& tree, Node node, const Properties& p, const Lengths& lengths)

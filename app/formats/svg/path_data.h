@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/subpath.h"
+#include "app/document/recipe.h"
 
 #include <string_view>
 
@@ -17,6 +17,7 @@ struct Outline {
         std::size_t path, segment;
     };
     std::vector<Joint> joints{};
+    Recipe recipe{}; ///< of a rectangle, circle or ellipse
 };
 
 /// Parses the complete grammar of path data. Arcs and quadratic curves become cubic curves. A

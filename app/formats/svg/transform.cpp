@@ -189,6 +189,8 @@ Matrix operator*(const Matrix& outer, const Matrix& inner)
             outer.a * e + outer.c * f + outer.e, outer.b * e + outer.d * f + outer.f};
 }
 
+AffineMap mapOf(const Matrix& m) { return {{m.a, m.b}, {m.c, m.d}, {0, 0}, {m.e, m.f}}; }
+
 Matrix translation(const Point& by) { return {1, 0, 0, 1, by.x, by.y}; }
 
 std::optional<Matrix> inverse(const Matrix& m)

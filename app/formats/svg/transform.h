@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/affine_map.h"
 #include "app/formats/svg/length.h"
 
 #include <optional>
@@ -25,6 +26,7 @@ struct Matrix {
 };
 
 Matrix translation(const Point& by);
+AffineMap mapOf(const Matrix& matrix);
 std::optional<Matrix> inverse(const Matrix& matrix); ///< empty if it flattens the plane
 
 /// The units of the numbers of a transform.

@@ -2,6 +2,7 @@
 #include "app/formats/svg/tree_drawer.h"
 
 #include "app/base/text.h"
+#include "app/document/recipe_outline.h"
 #include "app/formats/svg/element_transform.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/path_length.h"
@@ -343,6 +344,7 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     scaleDashes(node, outline, properties);
     const bool marked = hasMarkers(properties);
     const auto vertices = marked ? markerVertices(outline) : std::vector<MarkerVertex>();
+    const Recipe own = mapped(outline.recipe, mapOf(place.matrix));
     Drawn drawn{placed(std::move(outline), place.matrix)};
     if (!drawn.paths.empty() && place.matrix.determinant() == 0) {
         report_.add(losses::sizeless);
@@ -355,6 +357,8 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     const Node named = place.repeated ? around.use : node;
     Particulars particulars = named == noNode ? Particulars() : particularsOf(named);
     particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"), drawn.paths);
+    if (particulars.recipe.index() == 0 && own.index() != 0 && makes(own, drawn.paths))
+        particulars.recipe = own;
     const bool grouped = marked && !place.repeated;
     if (grouped)
         content_.open({.kind = Container::Kind::Group});

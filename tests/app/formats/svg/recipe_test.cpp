@@ -119,6 +119,47 @@ private slots:
             QVERIFY(read(edited).objects()[0].particulars().recipe == Recipe{});
         }
     }
+    /// The shapes of other programs are shapes here, too, as far as there are such recipes.
+    void rectanglesAndEllipsesOfOtherProgramsAreRead_data()
+    {
+        QTest::addColumn<QByteArray>("element");
+        QTest::addColumn<Recipe>("recipe");
+        const double turn = 25 * 3.14159265358979323846 / 180;
+        QTest::newRow("rect") << QByteArray("<rect x='1' y='2' width='30' height='40'/>")
+                              << Recipe(RectangleRecipe{{1, 2}, {30, 40}});
+        QTest::newRow("rounded") << QByteArray("<rect width='30' height='40' rx='5'/>")
+                                 << Recipe(RectangleRecipe{{0, 0}, {30, 40}, 5});
+        QTest::newRow("elliptical corners")
+            << QByteArray("<rect width='30' height='40' rx='5' ry='6'/>") << Recipe();
+        QTest::newRow("circle") << QByteArray("<circle cx='5' cy='6' r='3'/>")
+                                << Recipe(EllipseRecipe{{5, 6}, {3, 3}});
+        QTest::newRow("ellipse") << QByteArray("<ellipse cx='5' cy='6' rx='3' ry='2'/>")
+                                 << Recipe(EllipseRecipe{{5, 6}, {3, 2}});
+        QTest::newRow("scaled") << QByteArray("<g transform='translate(5) scale(2 3)'>"
+                                              "<rect x='1' y='2' width='30' height='40'/></g>")
+                                << Recipe(RectangleRecipe{{7, 6}, {60, 120}});
+        QTest::newRow("rotated") << QByteArray("<rect x='60' y='40' width='80' height='40' "
+                                               "transform='rotate(25 100 60)'/>")
+                                 << Recipe(RectangleRecipe{{60, 40}, {80, 40}, 0, turn});
+        QTest::newRow("skewed") << QByteArray("<rect width='80' height='40' "
+                                              "transform='skewX(20)'/>")
+                                << Recipe();
+        QTest::newRow("path") << QByteArray("<path d='M0 0H30V40H0Z'/>") << Recipe();
+    }
+    void rectanglesAndEllipsesOfOtherProgramsAreRead()
+    {
+        QFETCH(QByteArray, element);
+        QFETCH(Recipe, recipe);
+        const Document document = read("<svg xmlns='http://www.w3.org/2000/svg' width='200' "
+                                       "height='200'>"
+                                       + element + "</svg>");
+        const Recipe found = document.objects()[0].particulars().recipe;
+        QCOMPARE(found.index(), recipe.index());
+        const auto made = outlineOf(found);
+        QVERIFY(!made || makes(recipe, std::span(&*made, 1)));
+        const auto* turned = std::get_if<RectangleRecipe>(&found);
+        QVERIFY(!turned || std::abs(turned->turn - std::get<RectangleRecipe>(recipe).turn) < 1e-9);
+    }
     // Whoever moved a corner in another program did not know of the recipe.
     void goesWhereThePathIsAnotherOne_data()
     {
