@@ -27,6 +27,7 @@ QFont lineFontOf(const LineFont& font, double pixelsPerUnit, qsizetype letters =
     made.setPixelSize(std::max(int(std::lround(font.size * pixelsPerUnit)), 1));
     if (font.smallCapitals)
         made.setCapitalization(QFont::SmallCaps);
+    made.setKerning(font.kerning);
     if (font.letterSpacing != 0)
         made.setLetterSpacing(QFont::AbsoluteSpacing, pixels(font.letterSpacing));
     if (font.wordSpacing != 0)
@@ -92,7 +93,7 @@ const LineFonts::Known& LineFonts::known(const LineFont& font)
         QStringLiteral("%1 %2 %3").arg(font.family).arg(font.weight).arg(font.italic));
     if (isNew) {
         const QRawFont raw = QRawFont::fromFont(
-            lineFontOf({font.family, font.weight, font.italic, false, 1}, pixelsPerEm));
+            lineFontOf({font.family, font.weight, font.italic, false, true, 1}, pixelsPerEm));
         at->second = {measuresOfUnit(raw), raw.familyName()};
     }
     return at->second;

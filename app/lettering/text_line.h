@@ -22,7 +22,7 @@ constexpr double leastFontSize = 1e-100; ///< smaller letters are not laid out
 struct LineFont {
     QString family; ///< one that is installed
     int weight = 400;
-    bool italic = false, smallCapitals = false;
+    bool italic = false, smallCapitals = false, kerning = true;
     double size = 16; ///< of the em
     double letterSpacing = 0, wordSpacing = 0;
     friend bool operator==(const LineFont&, const LineFont&) = default;

@@ -79,6 +79,11 @@ inline constexpr LossKind imageTooLarge{
                               "images of a file 200 million pixels and 256 MB")};
 inline constexpr LossKind imageBeyond{QT_TRANSLATE_NOOP("Text", "image beyond the first 500"),
                                       QT_TRANSLATE_NOOP("Text", "images beyond the first 500")};
+inline constexpr LossKind sharpPixels{
+    QT_TRANSLATE_NOOP("Text", "image with sharp pixels"),
+    QT_TRANSLATE_NOOP("Text", "images with sharp pixels"), false,
+    QT_TRANSLATE_NOOP("Text", "its pixels are smoothed"),
+    QT_TRANSLATE_NOOP("Text", "their pixels are smoothed")};
 inline constexpr LossKind imageUncut{
     QT_TRANSLATE_NOOP("Text", "clip path of an image that is not one convex polygon"),
     QT_TRANSLATE_NOOP("Text", "clip paths of images that are not one convex polygon"), false,

@@ -196,6 +196,16 @@ void copyOverflow(P& to, const P& from)
     to.overflowGiven = true;
 }
 
+bool setImageRendering(P& p, Value text, const Given&)
+{
+    const auto way =
+        wordOf(text, std::array<Value, 7>{"auto", "smooth", "high-quality", "optimizequality",
+                                          "pixelated", "crisp-edges", "optimizespeed"});
+    if (way)
+        p.sharpPixels = *way >= 4;
+    return way.has_value();
+}
+
 bool setMaskType(P& p, Value text, const Given&)
 {
     const auto type = wordOf(text, std::array<Value, 2>{"luminance", "alpha"});
@@ -366,6 +376,7 @@ constexpr std::array allProperties{
     own<&P::fixedWidth>("vector-effect", setVectorEffect),
     own<&P::clipPath>("clip-path", setText<&P::clipPath>),
     own<&P::mask>("mask", setText<&P::mask>),
+    inherited<&P::sharpPixels>("image-rendering", setImageRendering),
     own<&P::maskByAlpha>("mask-type", setMaskType),
     own<&P::filter>("filter", setText<&P::filter>),
     own<&P::blending>("mix-blend-mode", setBlending),

@@ -76,6 +76,7 @@ struct Properties {
     bool overflowShown = false; ///< whether content outside the element's viewport is visible
     bool overflowGiven = false; ///< whether a style says so; viewports are usually hidden outside
     bool fixedWidth = false;    ///< vector-effect: non-scaling-stroke
+    bool sharpPixels = false;   ///< of images, which are smoothed here
     bool maskByAlpha = false;   ///< of a mask: whether its colours do not count
     TransformTexts transform{};
     std::string_view clipPath{}, mask{}, filter{}, blending{};

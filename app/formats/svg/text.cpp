@@ -348,6 +348,7 @@ LineFont TreeDrawer::lineFontOf(const Properties& p)
             .weight = p.text.weight,
             .italic = p.text.italic,
             .smallCapitals = p.text.smallCapitals,
+            .kerning = p.text.kerning,
             .size = p.fontSize,
             .letterSpacing = p.text.letterSpacing,
             .wordSpacing = p.text.wordSpacing};

@@ -102,6 +102,24 @@ bool setVariant(Properties& p, Word text, const Given& given)
     return true;
 }
 
+bool setKerning(Properties& p, Word text, const Given&)
+{
+    const bool none = meansWord(text, "none"), known = none || isOneOf(text, "auto normal");
+    if (known)
+        p.text.kerning = !none;
+    return known;
+}
+
+/// The property of SVG 1.1. A length other than 0 would be a gap between all letters.
+bool setOldKerning(Properties& p, Word text, const Given& given)
+{
+    const bool none = given.lengths.parse(text, p.fontSize) == 0.0;
+    const bool known = none || meansWord(text, "auto");
+    if (known)
+        p.text.kerning = !none;
+    return known;
+}
+
 template <auto spacing>
 bool setSpacing(Properties& p, Word text, const Given& given)
 {
@@ -244,7 +262,6 @@ struct NotEvaluated {
 };
 constexpr std::array notEvaluated{
     NotEvaluated{"font-feature-settings", "normal"},
-    NotEvaluated{"font-kerning", "auto normal"},
     NotEvaluated{"font-size-adjust", "none"},
     NotEvaluated{"font-stretch", "normal 100%"},
     NotEvaluated{"font-variant-alternates", "normal"},
@@ -257,7 +274,6 @@ constexpr std::array notEvaluated{
     NotEvaluated{"glyph-orientation-horizontal", "0 0deg auto"},
     NotEvaluated{"glyph-orientation-vertical", "0 0deg auto"},
     NotEvaluated{"inline-size", "0 auto"},
-    NotEvaluated{"kerning", "auto"},
     NotEvaluated{"shape-inside", "none auto"},
     NotEvaluated{"text-combine-upright", "none"},
     NotEvaluated{"text-emphasis", "none"},
@@ -308,6 +324,8 @@ const std::array evaluated{
     letters<&Letters::italic>("font-style", setStyle),
     letters<&Letters::weight>("font-weight", setWeight),
     letters<&Letters::smallCapitals>("font-variant", setVariant),
+    letters<&Letters::kerning>("font-kerning", setKerning),
+    letters<&Letters::kerning>("kerning", setOldKerning),
     letters<&Letters::letterSpacing>("letter-spacing", setSpacing<&Letters::letterSpacing>),
     letters<&Letters::wordSpacing>("word-spacing", setSpacing<&Letters::wordSpacing>),
     letters<&Letters::anchor>("text-anchor", setAnchor),

@@ -15,7 +15,7 @@ struct TextStyle {
 
     std::string_view families{}; ///< "Arial, sans-serif"
     int weight = 400;
-    bool italic = false, smallCapitals = false;
+    bool italic = false, smallCapitals = false, kerning = true;
     double letterSpacing = 0, wordSpacing = 0; ///< in user units
     Anchor anchor = Anchor::Start;
     Case letterCase = Case::AsWritten;

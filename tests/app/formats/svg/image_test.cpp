@@ -68,6 +68,17 @@ class ImageTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void pixelsAreSmoothedOrItIsTold()
+    {
+        const auto told = [](const char* value) {
+            return !readText(drawing(image("style='image-rendering:" + QByteArray(value) + "'")))
+                        .value->report.empty();
+        };
+        for (const char* smooth : {"auto", "smooth", "optimizeQuality"})
+            QVERIFY2(!told(smooth), smooth);
+        for (const char* sharp : {"pixelated", "crisp-edges", "optimizeSpeed"})
+            QVERIFY2(told(sharp), sharp);
+    }
     void isReadWhereItLies_data()
     {
         QTest::addColumn<QByteArray>("attributes");
