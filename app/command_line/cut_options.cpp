@@ -129,6 +129,9 @@ QString furtherCountsText(const CutCounts& counts)
         sentences << Text::tr("Images not cut along the windows, only at the rectangle around "
                               "them: %1.")
                          .arg(counts.imagesUncut);
+    if (counts.imagesWhole > 0)
+        sentences << Text::tr("Images kept whole, because only their outside can be cut off: %1.")
+                         .arg(counts.imagesWhole);
     if (counts.cutLocked > 0)
         sentences
             << Text::tr("Locked layers are cut like the others; shapes cut or removed on them: %1.")

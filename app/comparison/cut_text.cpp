@@ -49,6 +49,9 @@ QString cutText(const CutCounts& counts)
     addCount(text, counts.imagesUncut,
              QT_TRANSLATE_NOOP("Text", "Images not cut along the windows, only at the rectangle "
                                        "around them: %1."));
+    addCount(text, counts.imagesWhole,
+             QT_TRANSLATE_NOOP("Text", "Images kept whole, because only their outside can be cut "
+                                       "off: %1."));
     addCount(text, counts.dropped, QT_TRANSLATE_NOOP("Text", "Short pieces dropped: %1."));
     addCount(text, counts.fillsRemoved, QT_TRANSLATE_NOOP("Text", "Fills removed: %1."));
     addCount(text, counts.slanted,

@@ -49,8 +49,9 @@ struct CutCounts {
     /// not along the edge. `strokesAsAreas` lets it end there.
     std::size_t slanted = 0;
     /// Images that are cut, at most at the rectangle around the windows; those of which more is
-    /// left than the windows keep; and those of which nothing is left.
-    std::size_t imagesCut = 0, imagesUncut = 0, imagesGone = 0;
+    /// left than the windows keep, in that rectangle or, where there is none, all; and those of
+    /// which nothing is left.
+    std::size_t imagesCut = 0, imagesUncut = 0, imagesWhole = 0, imagesGone = 0;
     std::size_t segmentsBefore = 0, segmentsAfter = 0; ///< of the objects that were cut
 };
 

@@ -16,7 +16,8 @@ void cutImages(Cut& cut, const Document& document, const CutOptions& options)
             continue;
         Container layer = before[id];
         const SharedUnderlay left = keptOf(layer.underlay, options.region);
-        cut.counts.imagesUncut += left && !isCutExactly(*left, options.region);
+        if (left && !isCutExactly(*left, options.region))
+            ++(keptBox(options.region) ? cut.counts.imagesUncut : cut.counts.imagesWhole);
         if (left == layer.underlay)
             continue;
         ++(left ? cut.counts.imagesCut : cut.counts.imagesGone);

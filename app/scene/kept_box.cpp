@@ -44,7 +44,9 @@ SharedUnderlay keptOf(const SharedUnderlay& image, const ClipRegion& region)
 {
     const auto box = keptBox(region);
     if (!box)
-        return image;
+        return remainsOf(region, boxAroundAll(outlineOf(*image))) == Remains::Gone
+                   ? SharedUnderlay()
+                   : image;
     Underlay left = *image;
     if (!hasPoints(*box) || !cut(left, cornersOfBox(*box)))
         return {};

@@ -62,18 +62,22 @@ private slots:
         QTest::addColumn<ClipWindows>("windows");
         QTest::addColumn<QList<double>>("left"); // nothing: removed
         QTest::addColumn<int>("uncut");
+        QTest::addColumn<int>("whole");
         const clipping::Window small{{5, 6}, {15, 16}}, other{{20, 0}, {25, 10}};
         const auto row = [](const char* name, std::vector<ClipWindow> list, Keep keep,
-                            const QList<double>& left, int uncut) {
-            QTest::newRow(name) << ClipWindows{std::move(list), keep} << left << uncut;
+                            const QList<double>& left, int uncut, int whole = 0) {
+            QTest::newRow(name) << ClipWindows{std::move(list), keep} << left << uncut << whole;
         };
         row("no window", {}, Keep::Inside, {0, 0, 40, 30}, 0);
         row("rectangle", {rectangle(small)}, Keep::Inside, {5, 6, 15, 16}, 0);
         row("all of it", {rectangle({{-1, -1}, {50, 50}})}, Keep::Inside, {0, 0, 40, 30}, 0);
         row("none of it", {rectangle({{50, 50}, {60, 60}})}, Keep::Inside, {}, 0);
-        row("outside", {rectangle(small)}, Keep::Outside, {0, 0, 40, 30}, 1);
+        row("outside", {rectangle(small)}, Keep::Outside, {0, 0, 40, 30}, 0, 1);
+        row("outside of all of it", {rectangle({{-1, -1}, {50, 50}})}, Keep::Outside, {}, 0);
+        row("outside, beside it", {rectangle({{50, 50}, {60, 60}})}, Keep::Outside, {0, 0, 40, 30},
+            0);
         row("two", {rectangle(small), rectangle(other)}, Keep::Inside, {5, 0, 25, 16}, 1);
-        row("cut out", {rectangle(small, WindowOperation::CutOut)}, Keep::Inside, {0, 0, 40, 30},
+        row("cut out", {rectangle(small, WindowOperation::CutOut)}, Keep::Inside, {0, 0, 40, 30}, 0,
             1);
         row("intersection",
             {rectangle(small), rectangle({{10, 0}, {99, 99}}, WindowOperation::Intersect)},
@@ -88,7 +92,9 @@ private slots:
         Document document = drawing(windows);
         const Document before = document;
         const Cut made = cutOf(document);
+        QFETCH(int, whole);
         QCOMPARE(made.counts.imagesUncut, std::size_t(uncut));
+        QCOMPARE(made.counts.imagesWhole, std::size_t(whole));
         const Edit back = document.apply(made.edit);
         const auto box = boxOfImage(document);
         QCOMPARE(box.has_value(), !left.isEmpty());
