@@ -35,4 +35,13 @@ void keepLessonPlaces(QSettings& settings, const QStringList& paths)
     settings.setValue(placesKey(), all.last(std::min(all.size(), mostPlaces)));
 }
 
+void forgetLessonPlace(QSettings& settings, const QString& folder)
+{
+    QStringList all = lessonPlaces(settings);
+    all.removeIf([&](const QString& path) {
+        return path == folder || (!QFileInfo(path).isDir() && QFileInfo(path).path() == folder);
+    });
+    settings.setValue(placesKey(), all);
+}
+
 } // namespace app

@@ -11,5 +11,6 @@ namespace app {
 /// program has their lessons, too. At most 12; the settings are read as untrusted input.
 QStringList lessonPlaces(const QSettings& settings);
 void keepLessonPlaces(QSettings& settings, const QStringList& paths);
+void forgetLessonPlace(QSettings& settings, const QString& folder); ///< and its files
 
 } // namespace app

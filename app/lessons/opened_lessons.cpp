@@ -108,6 +108,18 @@ std::optional<std::size_t> addOpenedLessons(std::vector<LessonFile> files)
     return first;
 }
 
+void closeOpenedLessons(const QString& folder)
+{
+    auto& [lessons, groups, openings] = opened();
+    const auto group = std::ranges::find(groups, folder, &LessonGroup::folder);
+    if (group == groups.end())
+        return;
+    ++openings;
+    for (const std::size_t number : group->lessons)
+        lessons[number - app::lessons().size()].path.clear(); // no more opened
+    groups.erase(group);
+}
+
 const Lesson* lessonAt(std::size_t number)
 {
     const auto& own = lessons();

@@ -21,13 +21,17 @@ const std::vector<LessonGroup>& openedLessons();
 /// Whether this folder or file was opened.
 bool isOpened(const QString& path);
 
-/// How often lessons were added: a view with another number is outdated.
+/// How often lessons were added or closed: a view with another number is outdated.
 int lessonOpenings();
 
 /// Adds what was read. Files of a folder that was opened before replace its lessons of the same
 /// file; a lesson that someone is in keeps its number, and ends as it was. Returns the number of
 /// the first lesson that was added; empty: there was none.
 std::optional<std::size_t> addOpenedLessons(std::vector<LessonFile> files);
+
+/// Takes a folder's lessons out of the list; the files stay. A lesson that someone is in ends as it
+/// was.
+void closeOpenedLessons(const QString& folder);
 
 /// The lesson with this number; null if there is none.
 const Lesson* lessonAt(std::size_t number);

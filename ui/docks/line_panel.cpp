@@ -25,16 +25,10 @@ enum Row { Verdict, Header, From, To, VisibleA, VisibleB, Cost };
 } // namespace
 
 LinePanel::LinePanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session),
-      nothing_(new QLabel(Text::tr("Click a line to see how it is clipped."))), table_(new QWidget),
-      grid_(new QGridLayout(table_)), verdict_(new QLabel), cost_(new QLabel),
-      steps_(new QPlainTextEdit),
+    : QWidget(parent), session_(session), table_(new QWidget), grid_(new QGridLayout(table_)),
+      verdict_(new QLabel), cost_(new QLabel), steps_(new QPlainTextEdit),
       microscope_(new QPushButton(icon("microscope"), Text::tr("Open microscope")))
 {
-    nothing_->setForegroundRole(QPalette::PlaceholderText);
-    nothing_->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin, 0);
-    nothing_->setWordWrap(true);
-    nothing_->setAlignment(Qt::AlignTop);
     grid_->setContentsMargins(space::dockMargin, 6, space::dockMargin, 0);
     grid_->setHorizontalSpacing(space::labelToField + 2);
     grid_->setVerticalSpacing(3);
@@ -80,7 +74,7 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     column->addStretch();
     // One above the other, so that the panel needs the same height with and without a line.
     pages_ = new QStackedLayout(this);
-    pages_->addWidget(nothing_);
+    pages_->addWidget(madeNothing());
     pages_->addWidget(ofLine);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 
@@ -97,6 +91,27 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     connect(&session.scene, &app::Scene::outdated, this, later);
     connect(&session.differences, &app::LiveDifferences::changed, this, later);
     show();
+}
+
+/// What to do without a line.
+QWidget* LinePanel::madeNothing()
+{
+    auto* nothing = new QWidget;
+    auto* words = new QLabel(Text::tr("Click a line to see how it is clipped."));
+    words->setForegroundRole(QPalette::PlaceholderText);
+    words->setWordWrap(true);
+    auto* lessons = new QPushButton(icon("book"), Text::tr("Lessons"));
+    lessons->setObjectName(QStringLiteral("panel-lessons"));
+    lessons->setIconSize({16, 16});
+    setKeyTip(*lessons, Text::tr("Short lessons about clipping, with questions ({lessons})"));
+    connect(lessons, &QPushButton::clicked, this, &LinePanel::lessonsWanted);
+    auto* column = new QVBoxLayout(nothing);
+    column->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin, 0);
+    column->setSpacing(space::labelToField);
+    column->addWidget(words);
+    column->addWidget(lessons, 0, Qt::AlignLeft);
+    column->addStretch();
+    return nothing;
 }
 
 QSize LinePanel::minimumSizeHint() const

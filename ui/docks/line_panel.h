@@ -28,17 +28,18 @@ public:
 
 signals:
     void microscopeWanted();
+    void lessonsWanted();
     void titled(const QString& title, const QString& remark);
 
 private:
+    QWidget* madeNothing();
     void show();
     void showLine(const app::Inspection& line);
     void put(int row, int column, const QString& text, Qt::Alignment alignment = Qt::AlignLeft);
     QLabel* cell(int row, int column);
 
     app::Session& session_;
-    QLabel* nothing_;
-    QStackedLayout* pages_; ///< `nothing_`, and a line
+    QStackedLayout* pages_; ///< what to do without a line, and a line
     QWidget* table_;
     QGridLayout* grid_;
     QLabel *verdict_, *cost_;

@@ -2,11 +2,13 @@
 #include "ui/lessons/lesson_list.h"
 
 #include "app/lessons/course.h"
+#include "app/lessons/lesson_places.h"
 #include "app/lessons/opened_lessons.h"
 #include "ui/lessons/practice_entry.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
+#include "ui/widgets/buttons.h"
 
 #include <QAbstractButton>
 #include <QKeyEvent>
@@ -183,17 +185,14 @@ void LessonList::addOpened()
     qDeleteAll(buttons_.mid(own));
     buttons_.resize(own);
     numbers_.resize(std::size_t(own));
-    qDeleteAll(opened_->findChildren<QLabel*>());
+    qDeleteAll(opened_->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
     delete opened_->layout();
     auto* column = new QVBoxLayout(opened_);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(space::labelToField);
     for (const app::LessonGroup& group : app::openedLessons()) {
-        QLabel* heading = plainLabel(group.heading);
-        heading->setFont(semiBold(font()));
-        heading->setToolTip(group.folder);
         column->addSpacing(space::betweenGroups);
-        column->addWidget(heading);
+        column->addWidget(headingOf(group));
         for (const std::size_t lesson : group.lessons)
             addLesson(*column, lesson);
         for (const QString& note : group.notes) {
@@ -203,6 +202,33 @@ void LessonList::addOpened()
         }
     }
     opened_->setVisible(!app::openedLessons().empty());
+}
+
+/// The name of a folder, and what takes it out of the list.
+QWidget* LessonList::headingOf(const app::LessonGroup& group)
+{
+    auto* heading = new QWidget;
+    auto* row = new QHBoxLayout(heading);
+    row->setContentsMargins(0, 0, 0, 0);
+    QLabel* name = plainLabel(group.heading);
+    name->setFont(semiBold(font()));
+    name->setToolTip(group.folder);
+    QToolButton* close = iconButton(
+        "close", Text::tr("Take %1 out of the list. Its files stay.").arg(group.heading));
+    close->setObjectName(QStringLiteral("close-folder"));
+    connect(
+        close, &QToolButton::clicked, this,
+        [this, folder = group.folder] {
+            QSettings settings;
+            app::forgetLessonPlace(settings, folder);
+            app::closeOpenedLessons(folder);
+            refresh();
+            focusOnLesson();
+        },
+        Qt::QueuedConnection); // the button is deleted
+    row->addWidget(name, 1);
+    row->addWidget(close, 0, Qt::AlignTop);
+    return heading;
 }
 
 QAbstractButton* LessonList::buttonOf(std::size_t lesson) const

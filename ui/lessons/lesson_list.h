@@ -7,6 +7,7 @@
 
 namespace app {
 class Practice;
+struct LessonGroup;
 struct Variant;
 } // namespace app
 
@@ -41,6 +42,7 @@ signals:
 private:
     void addLesson(QBoxLayout& column, std::size_t lesson);
     void addOpened();
+    QWidget* headingOf(const app::LessonGroup& group);
 
     const app::Course& course_;
     QList<QAbstractButton*> buttons_;

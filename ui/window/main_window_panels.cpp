@@ -60,6 +60,7 @@ void MainWindow::connectPanels()
         if (const auto line = session_.inspected())
             drawnLine_.look(*line);
     });
+    connect(panels_.line, &LinePanel::lessonsWanted, this, &MainWindow::showLessons);
     connect(panels_.difference, &DifferencePanel::lineWanted, this,
             [this](std::size_t line) { drawnLine_.look(line); });
     connect(panels_.algorithm, &AlgorithmPanel::aboutWanted, this, &MainWindow::explanationWanted);

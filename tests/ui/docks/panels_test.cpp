@@ -384,6 +384,15 @@ private slots:
         QVERIFY(!t.action("form-published")->isChecked());
         QVERIFY(!t.action("form-published")->isEnabled());
     }
+    void withoutALineThePanelOffersTheLessons()
+    {
+        TestWindow t;
+        t.show();
+        auto* lessons = t.window->findChild<LinePanel*>()->findChild<QPushButton*>("panel-lessons");
+        QVERIFY(lessons->toolTip().contains("Ctrl+F1"));
+        lessons->click();
+        QVERIFY(t.window->showsLessons());
+    }
     void theLinePanelShowsTheSteps()
     {
         TestWindow t;

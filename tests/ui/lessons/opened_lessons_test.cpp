@@ -119,6 +119,27 @@ private slots:
         QCOMPARE(QSettings().value("lessons/opened").toStringList(),
                  QStringList({"/nowhere", folder, school.folder.path()}));
     }
+    void aFolderIsTakenOutOfTheList()
+    {
+        const School school;
+        school.window->openLessons({school.folder.path()});
+        QTRY_VERIFY(school.showsFolder());
+        const auto others = app::openedLessons().size() - 1;
+        QVERIFY(QSettings().value("lessons/opened").toStringList().contains(school.folder.path()));
+        const auto folders = school.lessons()->findChildren<QAbstractButton*>("close-folder");
+        const auto name = QDir(school.folder.path()).dirName();
+        const auto close = std::ranges::find_if(folders, [&](const QAbstractButton* button) {
+            return button->toolTip().contains(name);
+        });
+        QVERIFY(close != folders.end());
+        (*close)->click();
+        QTRY_COMPARE(app::openedLessons().size(), others);
+        QVERIFY(!school.says(name));
+        QVERIFY(!QSettings().value("lessons/opened").toStringList().contains(school.folder.path()));
+        QVERIFY(QFile::exists(school.folder.filePath("a.md")));
+        school.window->openLessons({school.folder.path()});
+        QTRY_VERIFY(school.showsFolder());
+    }
     void nothingChosenChangesNothing()
     {
         School school;
