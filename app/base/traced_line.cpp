@@ -54,8 +54,6 @@ polygonUsesOf(const Variant& variant)
 
 QString refusalOf(const TracedLine& tracedLine)
 {
-    if (tracedLine.variant.misprint)
-        return Text::tr("This is a known misprint: its steps are not recorded.");
     if (!tracedLine.corners.empty() && !polygonUsesOf(tracedLine.variant))
         return polygonRefusal(tracedLine.variant);
     const auto& [a, b] = tracedLine.line;

@@ -90,9 +90,6 @@ void setAlgorithms(CostPlan& plan, const ParsedArguments& arguments)
             Text::tr("There is no algorithm “%1”. Give a key or abbreviation from the list of "
                      "“clearcut algorithms”; add :published for the published form.")
                 .arg(*key)};
-    if (!canMeasure(*plan.shown, *plan.measure))
-        throw WrongUsage{
-            Text::tr("The operations of “%1” are not counted. Choose --measure time.").arg(*key)};
 }
 
 const CostMeasure& measureOf(const ParsedArguments& arguments)

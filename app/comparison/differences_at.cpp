@@ -9,12 +9,6 @@ namespace app {
 
 namespace {
 
-ClipAll functionOf(const Variant& variant)
-{
-    return variant.misprint ? variant.misprint->clipAll
-                            : clipping::functionsOf(*variant.algorithm, variant.form)->clipAll;
-}
-
 double ulpsOf(const ClipRegion::Step& step, const Variant& variant)
 {
     const clipping::Algorithm& algorithm = *variant.algorithm;
@@ -44,7 +38,7 @@ std::vector<clipping::Clipped> clippedAt(const ClipRegion& window, const Variant
                                          std::span<const clipping::Segment> lines)
 {
     RegionClipping clipping;
-    clipping.start(window, functionOf(variant));
+    clipping.start(window, functionsOf(variant).clipAll);
     std::vector<clipping::Clipped> kept;
     clipping.fold(lines, 0, kept);
     return kept;

@@ -18,7 +18,7 @@ std::vector<Variant> variants()
             if (clipping::functionsOf(algorithm, form))
                 all.push_back({&algorithm, form});
     for (const Misprint& misprint : misprints())
-        all.push_back({misprint.meant, Form::Published, &misprint});
+        all.push_back(variantOf(misprint));
     return all;
 }
 
@@ -56,7 +56,7 @@ std::optional<Variant> findVariant(const QString& key)
 {
     for (const Misprint& misprint : misprints())
         if (misprint.key == key)
-            return Variant{misprint.meant, Form::Published, &misprint};
+            return variantOf(misprint);
     const bool published = key.endsWith(publishedSuffix);
     const QString name = published ? key.chopped(publishedSuffix.size()) : key;
     const auto* algorithm = clipping::findAlgorithm(name.toStdString());
@@ -66,12 +66,22 @@ std::optional<Variant> findVariant(const QString& key)
     return Variant{algorithm, form};
 }
 
+Variant variantOf(const Misprint& misprint) { return {misprint.meant, Form::Published, &misprint}; }
+
+const clipping::Algorithm& rowOf(const Variant& variant)
+{
+    return variant.misprint ? variant.misprint->row : *variant.algorithm;
+}
+
+const clipping::Functions<Segment, Window>& functionsOf(const Variant& variant)
+{
+    return *clipping::functionsOf(rowOf(variant), variant.form);
+}
+
 std::size_t clipAll(const Variant& variant, std::span<const Segment> in, const Window& window,
                     std::span<Clipped> out)
 {
-    return variant.misprint
-               ? variant.misprint->clipAll(in, window, out)
-               : clipping::functionsOf(*variant.algorithm, variant.form)->clipAll(in, window, out);
+    return functionsOf(variant).clipAll(in, window, out);
 }
 
 std::vector<Clipped> clipped(const Variant& variant, std::span<const Segment> in,

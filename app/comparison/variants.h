@@ -22,6 +22,14 @@ QString keyOf(const Variant& variant);
 /// no such algorithm, form or known misprint.
 std::optional<Variant> findVariant(const QString& key);
 
+/// The variant of a known misprint.
+Variant variantOf(const Misprint& misprint);
+/// The row of a variant's algorithm; of a known misprint, a row of its own, whose published form it
+/// is.
+const clipping::Algorithm& rowOf(const Variant& variant);
+/// What clips, counts and traces. Not null: only forms that exist are variants.
+const clipping::Functions<clipping::Segment, clipping::Window>& functionsOf(const Variant& variant);
+
 /// As in `clipping::Functions`.
 std::size_t clipAll(const Variant& variant, std::span<const clipping::Segment> in,
                     const clipping::Window& window, std::span<clipping::Clipped> out);

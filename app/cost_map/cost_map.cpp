@@ -64,11 +64,6 @@ std::vector<Variant> costVariants(clipping::Form form)
     return all;
 }
 
-bool canMeasure(const Variant& variant, const CostMeasure& measure)
-{
-    return measure.isTime() || !variant.misprint;
-}
-
 Window areaAround(const Window& window)
 {
     const Point size = window.max - window.min;
@@ -95,11 +90,9 @@ CostPlan usualCostPlan(const Window& window)
 double costOf(const Variant& variant, const CostMeasure& measure, const Segment& line,
               const Window& window)
 {
-    assert(canMeasure(variant, measure));
     if (measure.isTime())
         return nanosecondsOf(variant, line, window);
-    const auto* uses = clipping::functionsOf(*variant.algorithm, variant.form);
-    return double(measure.of(uses->count({&line, 1}, window)));
+    return double(measure.of(functionsOf(variant).count({&line, 1}, window)));
 }
 
 Cheapest cheapestOf(const CostPlan& plan, const Segment& line)

@@ -37,8 +37,6 @@ struct CostPlan {
 
 /// All algorithms of the catalogue that have this form.
 std::vector<Variant> costVariants(clipping::Form form);
-/// Whether the cost of a variant can be measured: operations are not counted in known misprints.
-bool canMeasure(const Variant& variant, const CostMeasure& measure);
 /// A plan for MD and all operations, with the fixed end left of the window, in areaAround(window).
 CostPlan usualCostPlan(const clipping::Window& window);
 /// The plane around a window: three times as wide and as high. A window without extent is given

@@ -29,11 +29,8 @@ double beyond(const Segment& piece, const Window& w)
 
 bool didNotEnd(const Variant& variant, const HardCase& hard)
 {
-    return !variant.misprint
-           && clipping::functionsOf(*variant.algorithm, variant.form)
-                      ->trace(hard.line, hard.window)
-                      .outcome
-                  == clipping::Outcome::DidNotEnd;
+    return functionsOf(variant).trace(hard.line, hard.window).outcome
+           == clipping::Outcome::DidNotEnd;
 }
 
 /// Whether the line is visible if all edges of the window are moved outwards by that many ulps.

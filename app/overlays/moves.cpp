@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/finite.h"
 #include "app/overlays/parts.h"
 
 namespace app {
@@ -50,13 +51,16 @@ std::vector<OverlayLine> moveLines(const OverlayContext& context, std::span<cons
 std::vector<OverlayMark> moveMarks(const OverlayContext& context, std::span<const EndMove> moves)
 {
     std::vector<OverlayMark> marks;
-    for (const EndMove& move : moves)
+    for (const EndMove& move : moves) {
+        if (!isFinite(move.to)) // of a misprint
+            continue;
         marks.push_back(
             {.at = move.to,
              .symbol = OverlayMark::Symbol::Diamond,
              .label =
                  QStringLiteral("%1  %2").arg(marks.size() + 1).arg(edgeName(move.edge, context.y)),
              .emphasis = Emphasis::Highlighted});
+    }
     return marks;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/comparison/variants.h"
 #include "app/overlays/overlay.h"
 
 #include <array>
@@ -20,7 +21,7 @@ struct OverlayContext : OverlaySubject {
     {
         if (!corners.empty())
             return polygonUsesOf(variant)->trace(other, {corners});
-        return clipping::functionsOf(*variant.algorithm, variant.form)->trace(other, window);
+        return functionsOf(variant).trace(other, window);
     }
 };
 

@@ -173,11 +173,9 @@ Inspection inspect(const Session& session, std::size_t segment)
     line.toCode = clipping::outcodeOf(line.segment.b, window);
     line.visible = clipped(line.variant, line.segment, window);
     line.lineClass = lineClassOf(line.segment, window, line.visible.has_value());
-    if (!line.variant.misprint) {
-        const auto& uses = *clipping::functionsOf(*line.variant.algorithm, line.variant.form);
-        line.cost = uses.count({&line.segment, 1}, window);
-        line.trace = uses.trace(line.segment, window);
-    }
+    const auto& uses = functionsOf(line.variant);
+    line.cost = uses.count({&line.segment, 1}, window);
+    line.trace = uses.trace(line.segment, window);
     if (line.visible) {
         const double whole = glm::distance(line.segment.a, line.segment.b);
         line.share = whole > 0 ? glm::distance(line.visible->a, line.visible->b) / whole : 1;
@@ -214,14 +212,15 @@ QString costText(const clipping::OperationCounts& cost)
 
 QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
 {
-    if (const Misprint* misprint = line.variant.misprint)
-        return {Text::tr("A known misprint: its steps are not recorded."), misprint->whatIsWrong};
     const Measure measure{line.variant, unit, page.realMillimetresPerUnit(), originOf(page, unit)};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)
         if (step.what != What::Test) // the microscope shows tests
             texts << QStringLiteral("%1.  %2").arg(texts.size() + 1).arg(stepText(step, measure));
-    return texts << endText(line, measure);
+    texts << endText(line, measure);
+    if (const Misprint* misprint = line.variant.misprint)
+        texts << misprint->whatIsWrong;
+    return texts;
 }
 
 } // namespace app

@@ -21,8 +21,8 @@ struct Inspection {
     LineClass lineClass = LineClass::Inside;
     std::optional<clipping::Segment> visible{}; ///< the part that the algorithm leaves
     double share = 0;                           ///< share of the length; for a point: 1 if visible
-    clipping::OperationCounts cost{};           ///< empty for a known misprint
-    clipping::Trace trace{};                    ///< empty for a known misprint
+    clipping::OperationCounts cost{};
+    clipping::Trace trace{};
 };
 Inspection inspect(const Session& session, std::size_t segment);
 /// The first line of the only selected object; empty: there is none, or there are several.
@@ -37,7 +37,7 @@ QString verdictText(const Inspection& inspection);
 QString costText(const clipping::OperationCounts& cost);
 /// A text for each step of the trace except its tests, and one for the end: the action, its values
 /// and the remaining part. Coordinates and lengths are in `unit`, as everywhere in the window. For
-/// a known misprint: its defect.
+/// a known misprint also its defect.
 QStringList stepTexts(const Inspection& inspection, Unit unit, const Page& page);
 
 } // namespace app

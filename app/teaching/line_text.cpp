@@ -126,7 +126,7 @@ std::optional<QString> traceLink(const TracedLine& tracedLine)
 {
     const auto line = numbersText(tracedLine.line.a, tracedLine.line.b);
     const auto window = numbersText(tracedLine.window.min, tracedLine.window.max);
-    if (!line || !window || tracedLine.variant.misprint || !tracedLine.corners.empty())
+    if (!line || !window || !tracedLine.corners.empty())
         return std::nullopt;
     return QStringLiteral("clearcut:trace?a=%1&line=%2&w=%3")
         .arg(keyOf(tracedLine.variant), *line, *window);

@@ -140,7 +140,7 @@ QStringList shownCode(std::string_view code)
 
 QStringList codeOf(const Variant& variant)
 {
-    return shownCode(clipping::codeOf(*variant.algorithm, variant.form));
+    return shownCode(clipping::codeOf(rowOf(variant), variant.form));
 }
 
 } // namespace app

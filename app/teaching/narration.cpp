@@ -136,9 +136,8 @@ namespace {
 
 clipping::Trace traceOf(const TracedLine& tracedLine)
 {
-    const auto& [algorithm, form, misprint] = tracedLine.variant;
     if (tracedLine.corners.empty())
-        return clipping::functionsOf(*algorithm, form)->trace(tracedLine.line, tracedLine.window);
+        return functionsOf(tracedLine.variant).trace(tracedLine.line, tracedLine.window);
     return polygonUsesOf(tracedLine.variant)->trace(tracedLine.line, {tracedLine.corners});
 }
 
@@ -146,19 +145,18 @@ clipping::Trace traceOf(const TracedLine& tracedLine)
 
 Narration narrationOf(const TracedLine& tracedLine, Sentences sentences)
 {
-    const auto& [algorithm, form, misprint] = tracedLine.variant;
-    const std::string_view code = tracedLine.corners.empty() ? clipping::codeOf(*algorithm, form)
-                                                             : polygonCode(tracedLine.variant);
+    const Variant& variant = tracedLine.variant;
+    const std::string_view code = tracedLine.corners.empty()
+                                      ? clipping::codeOf(rowOf(variant), variant.form)
+                                      : polygonCode(variant);
     Narration narration{.code = shownCode(code), .refusal = refusalOf(tracedLine)};
-    if (misprint)
-        narration.visible = clipped(tracedLine.variant, tracedLine.line, tracedLine.window);
     if (!narration.refusal.isEmpty())
         return narration;
     const clipping::Trace trace = traceOf(tracedLine);
     narration.outcome = trace.outcome;
     if (trace.outcome == clipping::Outcome::Visible)
         narration.visible = trace.visible;
-    Teaching teaching = teachingOf(*algorithm);
+    Teaching teaching = teachingOf(*variant.algorithm);
     if (sentences == Sentences::Plain)
         teaching.sentence = generalSentence;
     const auto lines = clipping::linesOf(code);

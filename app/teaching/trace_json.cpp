@@ -160,7 +160,8 @@ QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> step
         code << quoted(text);
     const QString text = object(
         {{"format", quoted(QStringLiteral("clearcut-trace-1"))},
-         {"algorithm", quoted(latin(variant.algorithm->key))},
+         {"algorithm",
+          quoted(variant.misprint ? variant.misprint->key : latin(variant.algorithm->key))},
          {"form", quoted(variant.form == clipping::Form::Published ? QStringLiteral("published")
                                                                    : QStringLiteral("corrected"))},
          {"line", list(tracedLine.line)},

@@ -25,13 +25,12 @@ QJsonObject kindsOf(const TracedLine& tracedLine)
     const auto& [min, max] = tracedLine.window;
     const Point half = max / 2.0 - min / 2.0;
     const clipping::Window around{min - half, max + half};
-    const auto* functions =
-        clipping::functionsOf(*tracedLine.variant.algorithm, tracedLine.variant.form);
+    const auto& functions = functionsOf(tracedLine.variant);
     Random random(1);
     QJsonObject kinds;
     for (int i = 0; i < runs; ++i) {
         const Point a = random.in(around);
-        for (const auto& step : functions->trace({a, random.in(around)}, tracedLine.window).steps)
+        for (const auto& step : functions.trace({a, random.in(around)}, tracedLine.window).steps)
             for (const auto& value : step.values)
                 if (value.kind != clipping::ValueKind::Number)
                     kinds[latin(value.name)] = QStringLiteral("whole");
@@ -73,8 +72,7 @@ QJsonObject pageWords()
 QByteArray dataHtml(const TraceExport& trace, const QSizeF& figureSize)
 {
     const TracedLine& tracedLine = trace.tracedLine;
-    if (trace.only || trace.narration.steps.empty() || tracedLine.variant.misprint
-        || !tracedLine.corners.empty())
+    if (trace.only || trace.narration.steps.empty() || !tracedLine.corners.empty())
         return {};
     const clipping::Window seen = svgFrame(tracedLine, figureSize).seen;
     const auto& visible = trace.narration.visible;

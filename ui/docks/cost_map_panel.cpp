@@ -118,16 +118,9 @@ void CostMapPanel::addMap()
     connect(view_, &CostMapView::pointed, this, &CostMapPanel::point);
 }
 
-/// Offers only algorithms that the selected measure supports.
 void CostMapPanel::choose()
 {
     plan_.measure = &app::costMeasures()[std::size_t(measure_->currentIndex())];
-    {
-        const QSignalBlocker quietly(algorithm_);
-        algorithm_->offer([this](const app::Variant& variant) {
-            return app::canMeasure(variant, *plan_.measure);
-        });
-    }
     plan_.shown = algorithm_->variant();
     plan_.variants =
         app::costVariants(plan_.shown ? clipping::Form::Corrected

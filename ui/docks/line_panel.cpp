@@ -189,7 +189,7 @@ void LinePanel::showLine(const app::Inspection& line)
     }
     put(VisibleA, RegionColumn, app::classText(line.lineClass));
     put(Cost, Name, Text::tr("Cost"));
-    cost_->setText(line.variant.misprint ? Text::tr("not counted") : app::costText(line.cost));
+    cost_->setText(app::costText(line.cost));
     steps_->setPlainText(app::stepTexts(line, unit, page).join(u'\n'));
     // With several windows it says at which one.
     const QString at = app::tracedWindow(session_).remark();

@@ -140,12 +140,8 @@ void CaseView::showAnswer()
     picture_->setAccessibleName(
         Text::tr("%1. %2: %3")
             .arg(hard_->title, app::nameOf(answer->variant), app::answerText(*answer)));
-    microscope_->setEnabled(!answer->variant.misprint);
-    microscope_->setToolTip(
-        answer->variant.misprint
-            ? Text::tr("A known misprint: its steps are not recorded.")
-            : Text::tr("Show this case step by step with %1, the row selected below")
-                  .arg(app::nameOf(answer->variant)));
+    microscope_->setToolTip(Text::tr("Show this case step by step with %1, the row selected below")
+                                .arg(app::nameOf(answer->variant)));
 }
 
 } // namespace ui

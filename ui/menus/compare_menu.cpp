@@ -47,8 +47,7 @@ void showMisprint(MainWindow& window)
 {
     window.raisePanel("difference");
     const app::Misprint& misprint = app::misprints().front();
-    window.differencePanel().compare({misprint.meant, clipping::Form::Published, &misprint},
-                                     app::exactVariant());
+    window.differencePanel().compare(app::variantOf(misprint), app::exactVariant());
 }
 
 } // namespace

@@ -69,6 +69,8 @@ void MicroscopeBar::addAlgorithm()
         algorithm_->addItem(
             markerIcon({&row}),
             QStringLiteral("%1  %2").arg(app::latin(row.abbreviation), app::latin(row.name)));
+    for (const app::Misprint& misprint : app::misprints())
+        algorithm_->addItem(markerIcon(app::variantOf(misprint)), misprint.name);
     row_->addWidget(algorithm_, 4);
     auto* forms = new QWidget;
     auto* row = new QHBoxLayout(forms);
@@ -80,6 +82,9 @@ void MicroscopeBar::addAlgorithm()
     }
     row_->addWidget(forms);
     connect(algorithm_, &QComboBox::activated, this, [this](int index) {
+        const std::size_t rows = clipping::algorithms().size();
+        if (std::size_t(index) >= rows)
+            return drawn_.choose(app::variantOf(app::misprints()[std::size_t(index) - rows]));
         const auto& chosen = clipping::algorithms()[std::size_t(index)];
         const auto form = microscope_.tracedLine().variant.form;
         drawn_.choose(
@@ -151,19 +156,22 @@ void MicroscopeBar::setLine(const clipping::Segment& line)
 void MicroscopeBar::follow()
 {
     const app::TracedLine& tracedLine = microscope_.tracedLine();
-    const auto* algorithm = tracedLine.variant.algorithm;
+    const auto& [algorithm, form, misprint] = tracedLine.variant;
     if (!algorithm)
         return;
-    algorithm_->setCurrentIndex(int(algorithm - clipping::algorithms().data()));
-    const bool both = algorithm->published;
-    published_->setEnabled(both);
-    published_->setToolTip(both
+    const auto row =
+        misprint ? qsizetype(clipping::algorithms().size()) + (misprint - app::misprints().data())
+                 : algorithm - clipping::algorithms().data();
+    algorithm_->setCurrentIndex(int(row));
+    corrected_->setEnabled(!misprint);
+    published_->setEnabled(algorithm->published && !misprint);
+    published_->setToolTip(misprint ? misprint->whatIsWrong
+                           : algorithm->published
                                ? Text::tr("As its authors printed it, faults included")
                                : Text::tr("%1 has no published form, so the corrected form is used")
                                      .arg(app::latin(algorithm->name)));
     corrected_->setToolTip(Text::tr("With the faults of the published form corrected"));
-    (tracedLine.variant.form == clipping::Form::Published ? published_ : corrected_)
-        ->setChecked(true);
+    (form == clipping::Form::Published ? published_ : corrected_)->setChecked(true);
     line_->show(tracedLine.line);
     previous_->setEnabled(drawn_.line().has_value());
     next_->setEnabled(drawn_.line().has_value());

@@ -3,8 +3,6 @@
 
 #include "ui/widgets/algorithm_marker.h"
 
-#include <QStandardItemModel>
-
 #include <algorithm>
 
 namespace ui {
@@ -35,15 +33,6 @@ int VariantBox::rowOf(const app::Variant& variant) const
 }
 
 void VariantBox::choose(const app::Variant& variant) { setCurrentIndex(rowOf(variant)); }
-
-void VariantBox::offer(const std::function<bool(const app::Variant&)>& fits)
-{
-    const auto* items = qobject_cast<QStandardItemModel*>(model());
-    for (const app::Variant& variant : all_)
-        items->item(rowOf(variant))->setEnabled(fits(variant));
-    if (!items->item(currentIndex())->isEnabled())
-        setCurrentIndex(0);
-}
 
 } // namespace ui
 

@@ -4,8 +4,6 @@
 #include "app/comparison/variants.h"
 #include "ui/widgets/tool_list.h"
 
-#include <functional>
-
 namespace ui {
 
 /// Selects one of all variants, each shown with its marker; optionally after some other choices.
@@ -20,9 +18,6 @@ public:
     /// Empty if one of the `before` choices is selected; currentIndex() says which.
     std::optional<app::Variant> variant() const;
     void choose(const app::Variant& variant);
-    /// Enables only variants for which `fits` is true. If the current one is disabled, the first
-    /// choice is selected.
-    void offer(const std::function<bool(const app::Variant&)>& fits);
 
 private:
     int rowOf(const app::Variant& variant) const;

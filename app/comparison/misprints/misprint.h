@@ -5,7 +5,6 @@
 
 #include <QString>
 
-#include <span>
 #include <vector>
 
 namespace app {
@@ -18,9 +17,8 @@ struct Misprint {
     QString name;        ///< translated, like the next text: "MD with Step 2 as printed"
     QString whatIsWrong; ///< what was printed, what it should be, and the consequence
     const clipping::Algorithm* meant; ///< the correct algorithm
-    /// As in `clipping::Functions`.
-    std::size_t (*clipAll)(std::span<const clipping::Segment> in, const clipping::Window& window,
-                           std::span<clipping::Clipped> out);
+    /// The row of the algorithm meant, with the misprint and its pseudo-code as the published form.
+    clipping::Algorithm row;
 };
 
 /// All known misprints, in menu order.

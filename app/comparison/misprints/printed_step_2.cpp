@@ -7,13 +7,14 @@
 
 #include "app/base/text.h"
 #include "app/comparison/misprints/misprint.h"
+#include "clipping/describe.h"
 
 namespace app {
 namespace {
 
-using clipping::Clipped;
-using clipping::Segment;
-using clipping::Window;
+using clipping::BasicSegment;
+using clipping::BasicWindow;
+using clipping::Edge;
 
 /// Prevents line breaks at the signs of formulas.
 QString unbroken(QString text)
@@ -23,85 +24,185 @@ QString unbroken(QString text)
     return text;
 }
 
-/// Whether the formulas read the original line, or ends that they have already moved.
-enum class Reading : std::uint8_t { Beside, InPlace };
+/// The formulas read the line that was given.
+struct Beside {
+    static constexpr bool movesFirst = false; ///< an end before the formula is computed
+    static constexpr std::string_view publishedCode = R"(
+if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)  #besideX
+  reject  #rejectX
+if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)  #besideY
+  reject  #rejectY
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+for i = 1, 2
+  if x[i] < xmin  #left
+    rise = (y2-y1)/(x2-x1) * (xmin-x1)  #riseToLeft
+    x[i] = xmin,  y[i] = rise + y1  #toLeft
+  else if x[i] > xmax  #right
+    rise = (y2-y1)/(x2-x1) * (xmax-x1)  #riseToRight
+    x[i] = xmax,  y[i] = rise + y1  #toRight
+  if y[i] < ymin  #bottom
+    run = (x2-x1)/(y2-y1) * (ymin-x1)  #runToBottom
+    y[i] = ymin,  x[i] = run + x1  #toBottom
+  else if y[i] > ymax  #top
+    run = (x2-x1)/(y2-y1) * (ymax-x1)  #runToTop
+    y[i] = ymax,  x[i] = run + x1  #toTop
+if (x[1] < xmin and x[2] < xmin) or (x[1] > xmax and x[2] > xmax)  #missed
+  reject  #reject
+accept the line from x[1], y[1] to x[2], y[2]  #accept
+)";
+    /// The line that the formulas read, while the ends `now` are moved.
+    template <class S>
+    static constexpr const S& line(const S& given, const S&)
+    {
+        return given;
+    }
+};
 
-/// Moves end p as printed. `s` is the line in the formulas; with InPlace, p is an end of it.
-void push(glm::dvec2& p, const Segment& s, const Window& w)
-{
-    const glm::dvec2 &a = s.a, &b = s.b;
-    const auto toX = [&](double x) {
-        p.x = x;
-        p.y = a.y + (b.y - a.y) / (b.x - a.x) * (x - a.x);
-    };
-    const auto toY = [&](double y) {
-        p.y = y;
-        p.x = a.x + (b.x - a.x) / (b.y - a.y) * (y - a.x); // should be y - a.y
-    };
-    if (p.x < w.min.x)
-        toX(w.min.x);
-    else if (p.x > w.max.x)
-        toX(w.max.x);
-    if (p.y < w.min.y)
-        toY(w.min.y);
-    else if (p.y > w.max.y)
-        toY(w.max.y);
-}
+/// The formulas read ends that they have already moved.
+struct InPlace {
+    static constexpr bool movesFirst = true;
+    static constexpr std::string_view publishedCode = R"(
+if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)  #besideX
+  reject  #rejectX
+if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)  #besideY
+  reject  #rejectY
+x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
+for i = 1, 2
+  if x[i] < xmin  #left
+    x[i] = xmin  #atLeft
+    rise = (y[2]-y[1])/(x[2]-x[1]) * (xmin-x[1])  #riseToLeft
+    y[i] = rise + y[1]  #toLeft
+  else if x[i] > xmax  #right
+    x[i] = xmax  #atRight
+    rise = (y[2]-y[1])/(x[2]-x[1]) * (xmax-x[1])  #riseToRight
+    y[i] = rise + y[1]  #toRight
+  if y[i] < ymin  #bottom
+    y[i] = ymin  #atBottom
+    run = (x[2]-x[1])/(y[2]-y[1]) * (ymin-x[1])  #runToBottom
+    x[i] = run + x[1]  #toBottom
+  else if y[i] > ymax  #top
+    y[i] = ymax  #atTop
+    run = (x[2]-x[1])/(y[2]-y[1]) * (ymax-x[1])  #runToTop
+    x[i] = run + x[1]  #toTop
+if (x[1] < xmin and x[2] < xmin) or (x[1] > xmax and x[2] > xmax)  #missed
+  reject  #reject
+accept the line from x[1], y[1] to x[2], y[2]  #accept
+)";
+    template <class S>
+    static constexpr const S& line(const S&, const S& now)
+    {
+        return now;
+    }
+};
 
-bool beyond(double a, double b, double low, double high)
+/// Whether an axis alone rules the line out.
+template <class T>
+constexpr bool beyond(T a, T b, T low, T high)
 {
     return (a < low && b < low) || (a > high && b > high);
 }
 
-template <Reading reading>
-bool isVisible(Segment& visible, const Window& w)
-{
-    const Segment given = visible;
-    if (beyond(given.a.x, given.b.x, w.min.x, w.max.x)
-        || beyond(given.a.y, given.b.y, w.min.y, w.max.y))
-        return false;
-    const Segment& line = reading == Reading::InPlace ? visible : given;
-    push(visible.a, line, w);
-    push(visible.b, line, w);
-    return !beyond(visible.a.x, visible.b.x, w.min.x, w.max.x);
-}
+/// The labels of a move to an edge.
+struct MoveLabels {
+    std::string_view first, formula, end;
+};
 
-template <Reading reading>
-std::size_t clipAll(std::span<const Segment> in, const Window& window, std::span<Clipped> out)
-{
-    std::size_t count = 0;
-    for (std::uint32_t i = 0; i < in.size(); ++i) {
-        Segment visible = in[i];
-        if (isVisible<reading>(visible, window))
-            out[count++] = {visible, i, 0};
+template <class Reading>
+struct PrintedStep2 : Reading {
+    /// Moves end i of `now` to a vertical edge.
+    template <class T, class Step>
+    static constexpr void toX(Step& step, const MoveLabels& labels, int i, T x, Edge edge,
+                              const BasicSegment<T>& given, BasicSegment<T>& now)
+    {
+        auto& end = i == 0 ? now.a : now.b;
+        end.x = x;
+        if (Reading::movesFirst)
+            step.cut(labels.first, i, end.x, end.y, edge);
+        const auto& [a, b] = Reading::line(given, now);
+        const T rise =
+            step.let(labels.formula, "rise", (b.y - a.y) / (b.x - a.x) * (x - a.x), edge);
+        end.y = rise + a.y;
+        step.cut(labels.end, i, end.x, end.y, edge);
     }
-    return count;
+    /// And to a horizontal one, as printed.
+    template <class T, class Step>
+    static constexpr void toY(Step& step, const MoveLabels& labels, int i, T y, Edge edge,
+                              const BasicSegment<T>& given, BasicSegment<T>& now)
+    {
+        auto& end = i == 0 ? now.a : now.b;
+        end.y = y;
+        if (Reading::movesFirst)
+            step.cut(labels.first, i, end.x, end.y, edge);
+        const auto& [a, b] = Reading::line(given, now);
+        const T run = // should be y - a.y
+            step.let(labels.formula, "run", (b.x - a.x) / (b.y - a.y) * (y - a.x), edge);
+        end.x = run + a.x;
+        step.cut(labels.end, i, end.x, end.y, edge);
+    }
+
+    template <class T, class Step>
+    static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
+                                                              const BasicWindow<T>& w, Step&& step)
+    {
+        if (step.test("besideX", beyond(s.a.x, s.b.x, w.min.x, w.max.x), Edge::Left, Edge::Right))
+            return step.reject("rejectX");
+        if (step.test("besideY", beyond(s.a.y, s.b.y, w.min.y, w.max.y), Edge::Bottom, Edge::Top))
+            return step.reject("rejectY");
+        BasicSegment<T> now = s;
+        for (int i = 0; i < 2; ++i) {
+            const auto& end = i == 0 ? now.a : now.b;
+            step.set("i", i + 1);
+            if (step.test("left", end.x < w.min.x, Edge::Left))
+                toX(step, {"atLeft", "riseToLeft", "toLeft"}, i, w.min.x, Edge::Left, s, now);
+            else if (step.test("right", end.x > w.max.x, Edge::Right))
+                toX(step, {"atRight", "riseToRight", "toRight"}, i, w.max.x, Edge::Right, s, now);
+            if (step.test("bottom", end.y < w.min.y, Edge::Bottom))
+                toY(step, {"atBottom", "runToBottom", "toBottom"}, i, w.min.y, Edge::Bottom, s,
+                    now);
+            else if (step.test("top", end.y > w.max.y, Edge::Top))
+                toY(step, {"atTop", "runToTop", "toTop"}, i, w.max.y, Edge::Top, s, now);
+        }
+        if (step.test("missed", beyond(now.a.x, now.b.x, w.min.x, w.max.x), Edge::Left,
+                      Edge::Right))
+            return step.reject("reject");
+        return step.accept("accept", now);
+    }
+};
+
+template <class Reading>
+Misprint printed(const QString& key, const QString& name, const QString& whatIsWrong)
+{
+    using Method = PrintedStep2<Reading>;
+    static constexpr auto uses = clipping::uses<Method, clipping::Form::Published>;
+    const auto* meant = clipping::findAlgorithm("matthes-drakopoulos");
+    Misprint misprint{key, name, unbroken(whatIsWrong), meant, *meant};
+    misprint.row.published = &uses;
+    misprint.row.publishedCode = clipping::codeBeside<Method, clipping::Form::Published>();
+    return misprint;
 }
 
 } // namespace
 
 Misprint printedStep2()
 {
-    return {
+    return printed<Beside>(
         QStringLiteral("md-step-2"), Text::tr("MD with Step 2 as printed"),
-        unbroken(Text::tr(
+        Text::tr(
             "The text of the paper cuts at the window's edges ymin and ymax with (ymin − x1) and "
             "(ymax − x1). It should read (ymin − y1) and (ymax − y1), as in the pseudo-code: x = "
             "x1 + (x2 − x1)/(y2 − y1) · (ymin − y1). A line that crosses one of these edges is cut "
-            "at the wrong place, or kept although it misses the window.")),
-        clipping::findAlgorithm("matthes-drakopoulos"), clipAll<Reading::Beside>};
+            "at the wrong place, or kept although it misses the window."));
 }
 
 Misprint printedStep2InPlace()
 {
-    return {
+    return printed<InPlace>(
         QStringLiteral("md-step-2-in-place"), Text::tr("MD with Step 2 as printed, read literally"),
-        unbroken(Text::tr(
+        Text::tr(
             "Read literally, Step 2 also assigns new values to x1 and y1 before it computes with "
             "them. After x1 = xmin, the difference xmin − x1 is zero: y1 does not change, and a "
             "later formula may divide 0 by 0. The pseudo-code keeps the cut ends in separate "
-            "variables, x[i] and y[i]. It has (ymin − y1) where the text has (ymin − x1).")),
-        clipping::findAlgorithm("matthes-drakopoulos"), clipAll<Reading::InPlace>};
+            "variables, x[i] and y[i]. It has (ymin − y1) where the text has (ymin − x1)."));
 }
 
 } // namespace app

@@ -34,11 +34,10 @@ std::optional<Question> askCheaper(const TracedLine& tracedLine, const Narration
     const auto operation = std::ranges::find_if(
         operations, [&](const Operation& o) { return words[0] == QLatin1StringView(o.word); });
     const auto one = findVariant(words[1]), other = findVariant(words[2]);
-    if (operation == operations.end() || !one || !other || one->misprint || other->misprint)
+    if (operation == operations.end() || !one || !other)
         return std::nullopt;
     const auto count = [&](const Variant& variant) {
-        return clipping::functionsOf(*variant.algorithm, variant.form)
-                   ->count({&tracedLine.line, 1}, tracedLine.window)
+        return functionsOf(variant).count({&tracedLine.line, 1}, tracedLine.window)
                .*(operation->count);
     };
     const auto ofOne = count(*one), ofOther = count(*other);

@@ -37,8 +37,8 @@ QString withCapital(QString sentence)
 
 QString lineOf(const SentenceContext& context, const QStringList& code)
 {
-    const auto& [algorithm, form, misprint] = context.tracedLine.variant;
-    const auto lines = clipping::linesOf(clipping::codeOf(*algorithm, form));
+    const Variant& variant = context.tracedLine.variant;
+    const auto lines = clipping::linesOf(clipping::codeOf(rowOf(variant), variant.form));
     return code.value(clipping::lineOf(lines, context.step.label) - 1);
 }
 

@@ -59,6 +59,22 @@ QString wayTo(const SentenceContext& context, int number)
                       words::isPublished(context) ? std::optional(slope) : std::nullopt);
 }
 
+/// The numbers of a formula as it was misprinted, and what the pseudo-code computes.
+QString misprinted(const SentenceContext& context)
+{
+    const auto& line = context.tracedLine.line;
+    const auto [dx, dy] = std::pair(line.b.x - line.a.x, line.b.y - line.a.y);
+    const glm::length_t along = clipping::axisOf(context.edge());
+    const double away =
+        clipping::levelOf(context.edge(), context.tracedLine.window) - line.a[along];
+    const double meant = (along == 0 ? dy / dx : dx / dy) * away;
+    const QString numbers = generalSentence(context);
+    if (meant == context.value(context.step.name))
+        return numbers;
+    return Text::tr("%1 This is the misprint: as meant, %2 = %3.")
+        .arg(numbers, latin(context.step.name), words::number(meant));
+}
+
 /// After both axes, only x can still be outside, and only if the line misses the window.
 QString stillBeyond(const SentenceContext& context)
 {
@@ -107,12 +123,13 @@ QString matthesSentence(const SentenceContext& context)
     const auto what = context.step.what;
     const auto& name = context.step.name;
     const int number = int(context.known("i").value_or(1));
+    const bool isMisprint = context.tracedLine.variant.misprint != nullptr;
     if (what == clipping::What::Accept)
         return matthesAccepted(context);
     if (what == clipping::What::Reject)
         return matthesRejected(context) + words::lost(context);
     if (what == clipping::What::Cut)
-        return words::moved(context, number);
+        return isMisprint ? generalSentence(context) : words::moved(context, number);
     if (name == "dy")
         return Text::tr("From End 1 to End 2, x changes by %1 and y by %2.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
@@ -123,7 +140,7 @@ QString matthesSentence(const SentenceContext& context)
     if (name == "left")
         return words::held(context);
     if (name == "rise" || name == "run")
-        return wayTo(context, number);
+        return isMisprint ? misprinted(context) : wayTo(context, number);
     if (context.at("besideX", "besideY"))
         return matthesBothBeyond(context);
     return context.at("missed") ? stillBeyond(context) : matthesOneBeyond(context, number);

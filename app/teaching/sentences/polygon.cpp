@@ -192,15 +192,15 @@ constexpr bool haveLines(const PolygonTeaching& row)
 }
 static_assert(std::ranges::all_of(rows, haveLines));
 
-const PolygonTeaching* rowOf(const Variant& variant)
+const PolygonTeaching* polygonRowOf(const Variant& variant)
 {
     const auto* row = std::ranges::find(rows, variant.algorithm->key, &PolygonTeaching::key);
     return row == rows.end() ? nullptr : row;
 }
 
-const PolygonStep* rowOf(const Variant& variant, const clipping::Step& step)
+const PolygonStep* polygonRowOf(const Variant& variant, const clipping::Step& step)
 {
-    const PolygonTeaching* teaching = rowOf(variant);
+    const PolygonTeaching* teaching = polygonRowOf(variant);
     if (!teaching)
         return nullptr;
     const auto row = std::ranges::find(teaching->steps, step.label, &PolygonStep::label);
@@ -240,13 +240,13 @@ QString polygonCut(const SentenceContext& context)
 
 std::string_view polygonCode(const Variant& variant)
 {
-    const PolygonTeaching* row = rowOf(variant);
+    const PolygonTeaching* row = polygonRowOf(variant);
     return row ? row->code : clipping::codeOf(*variant.algorithm, variant.form);
 }
 
 QString polygonSentence(const SentenceContext& context)
 {
-    const PolygonStep* row = rowOf(context.tracedLine.variant, context.step);
+    const PolygonStep* row = polygonRowOf(context.tracedLine.variant, context.step);
     const What what = context.step.what;
     if (what == What::Cut)
         return polygonCut(context);
@@ -265,7 +265,7 @@ std::size_t polygonEdgeOf(const SentenceContext& context)
 {
     if (context.step.what == What::Cut)
         return polygonEdgeAt(movedEnd(context).to, context.tracedLine.corners);
-    const PolygonStep* row = rowOf(context.tracedLine.variant, context.step);
+    const PolygonStep* row = polygonRowOf(context.tracedLine.variant, context.step);
     const auto number = row && row->edge ? context.known(row->edge) : std::nullopt;
     return number ? std::size_t(*number) : 0;
 }

@@ -64,7 +64,6 @@ private slots:
         row("no output", {"-a", "md"}, "-o");
         row("ending", {"-a", "md", "-o", "map.unknown"}, app::endingsOf(app::costMapFormats()));
         row("algorithm", {"-a", "nobody", "-o", "-"}, "There is no algorithm “nobody”");
-        row("misprint", {"-a", "md-step-2", "-o", "-"}, "--measure time");
         row("point", {"-a", "md", "--from", "1,nan", "-o", "-"}, "two numbers");
         row("ends", {"-a", "md", "--from", "1,2", "--to", "1,2", "-o", "-"}, "one end");
         row("window", {"-a", "md", "-w", "2,0,1,1", "-o", "-"}, "four numbers");

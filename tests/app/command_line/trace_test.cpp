@@ -137,6 +137,17 @@ private slots:
         QCOMPARE(QImage(dir.filePath("new/" + entries.front())).size(), QSize(320, 180));
     }
 
+    void aMisprintIsTraced()
+    {
+        const auto run = clearcut({"trace", "-a", "md-step-2", "--line", "-160,-130,70,130"});
+        QCOMPARE(run.code, 0);
+        QVERIFY(run.out.startsWith("MD with Step 2 as printed\n"));
+        QVERIFY2(run.out.contains("This is the misprint: as meant, run = 181.346."), run.out);
+        const auto json =
+            clearcut({"trace", "-a", "md-step-2", "--line", "-160,-130,70,130", "-f", "json"});
+        QVERIFY(json.out.contains("\"algorithm\": \"md-step-2\""));
+    }
+
     void numberedFilesAreNotReplacedUnasked()
     {
         const QString name = folder_.filePath("talk.svg"), first = folder_.filePath("talk-01.svg");
@@ -174,7 +185,6 @@ private slots:
         row("min > max", {"--line", "0,0,1,1", "-w", "5,0,1,1"}, "minimum lies beyond its maximum");
         row("nobody", {"--line", "0,0,1,1", "-a", "nobody"}, "There is no algorithm “nobody”");
         row("no form", {"--line", "0,0,1,1", "-a", "exact:published"}, "exact:published");
-        row("misprint", {"--line", "0,0,1,1", "-a", "md-step-2"}, "steps are not recorded");
         row("step 0", {"--line", "0,0,1,1", "--step", "0"}, "a whole number from 1 to");
         row("step beyond", {"--line", "0,0,1,1", "--step", "9999"}, "a whole number from 1 to");
         row("format", {"--line", "0,0,1,1", "-f", "unknown"}, "--format unknown");

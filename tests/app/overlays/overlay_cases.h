@@ -48,19 +48,14 @@ private:
 inline constexpr clipping::Window everything{{-8, -8}, {8, 8}};
 
 /// Every form of every row.
-inline std::vector<app::Variant> everyForm()
-{
-    std::vector<app::Variant> all;
-    for (const app::Variant& variant : app::variants())
-        if (!variant.misprint)
-            all.push_back(variant);
-    return all;
-}
+inline std::vector<app::Variant> everyForm() { return app::variants(); }
 inline std::vector<app::Variant> formsOf(std::initializer_list<std::string_view> abbreviations)
 {
     std::vector<app::Variant> forms = everyForm();
     std::erase_if(forms, [&](const app::Variant& c) {
-        return std::ranges::find(abbreviations, c.algorithm->abbreviation) == abbreviations.end();
+        return c.misprint // whose ends may be no numbers
+               || std::ranges::find(abbreviations, c.algorithm->abbreviation)
+                      == abbreviations.end();
     });
     return notEmpty(std::move(forms));
 }
@@ -68,7 +63,7 @@ inline std::vector<app::Variant> formsOf(std::initializer_list<std::string_view>
 inline clipping::Trace traceOf(const app::Variant& variant, const clipping::Segment& line,
                                const clipping::Window& window)
 {
-    return clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, window);
+    return app::functionsOf(variant).trace(line, window);
 }
 
 /// All values of that name, in order.

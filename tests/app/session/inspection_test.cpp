@@ -201,7 +201,7 @@ private slots:
         session.differences.ask(std::nullopt);
         QCOMPARE(app::verdictText(app::inspect(session, 1)), "exact: visible, 100.0 %");
     }
-    void aMisprintHasNoSteps()
+    void aMisprintHasStepsAndItsDefect()
     {
         app::Session session;
         session.load(
@@ -212,7 +212,9 @@ private slots:
         QVERIFY(!session.differences.found().list.empty());
         const auto line = app::inspect(session, session.differences.found().list[0].source);
         QVERIFY(line.variant.misprint);
-        QVERIFY(stepTexts(line).front().contains("not recorded"));
+        QVERIFY(line.cost.comparisons > 0 && !line.trace.steps.empty());
+        QVERIFY(stepTexts(line).size() > 2);
+        QCOMPARE(stepTexts(line).last(), line.variant.misprint->whatIsWrong);
         QVERIFY(app::verdictText(line).startsWith("MD with Step 2 as printed: "));
     }
     void costInWords()

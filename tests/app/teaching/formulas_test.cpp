@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pseudo-code of a form is what runs: at every step of 10,000 lines the formulas of the lit
 // line, evaluated with the variables shown, give the numbers shown, and the step costs the
-// operations that they show. Every formula is altered in every way that `alterationsOf` knows, and
-// each of these faults is found.
+// operations that they show. So it is with the known misprints. Every formula is altered in every
+// way that `alterationsOf` knows, and each of these faults is found.
+#include "app/comparison/misprints/misprint.h"
 #include "clipping/algorithm.h"
 #include "clipping/frame.h"
 
@@ -32,6 +33,9 @@ struct Told {
 };
 std::string nameOf(const Told& told)
 {
+    for (const app::Misprint& misprint : app::misprints())
+        if (told.algorithm == &misprint.row)
+            return misprint.key.toStdString();
     return std::string(told.algorithm->key)
            + (told.form == Form::Published ? ":published" : ":corrected");
 }
@@ -42,6 +46,8 @@ std::vector<Told> allTold()
         for (const Form form : {Form::Published, Form::Corrected})
             if (functionsOf(algorithm, form) && !codeOf(algorithm, form).empty())
                 all.push_back({&algorithm, form});
+    for (const app::Misprint& misprint : app::misprints())
+        all.push_back({&misprint.row, Form::Published});
     return all;
 }
 

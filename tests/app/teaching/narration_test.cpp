@@ -69,11 +69,8 @@ private slots:
         for (int i = 0; i < 10'000; ++i) {
             const clipping::Segment line = lines.next();
             for (const app::Variant& variant : app::variants()) {
-                if (variant.misprint)
-                    continue;
                 const app::TracedLine tracedLine{variant, line, window, app::YAxis::Up, {}};
-                const auto trace =
-                    clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, window);
+                const auto trace = app::functionsOf(variant).trace(line, window);
                 const auto piece = app::clipped(variant, line, window);
                 QVERIFY2(!trace.steps.empty(), told(tracedLine));
                 QVERIFY2((trace.outcome == Outcome::Visible) == piece.has_value(),
@@ -89,11 +86,8 @@ private slots:
         for (int i = 0; i < 300; ++i) {
             const clipping::Segment line = lines.next();
             for (const app::Variant& variant : app::variants()) {
-                if (variant.misprint)
-                    continue;
                 const app::TracedLine tracedLine{variant, line, window, app::YAxis::Up, {}};
-                const auto trace =
-                    clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, window);
+                const auto trace = app::functionsOf(variant).trace(line, window);
                 const app::Narration narration = app::narrationOf(tracedLine);
                 QCOMPARE(narration.steps.size(), trace.steps.size());
                 for (std::size_t step = 0; step < trace.steps.size(); ++step)
@@ -112,8 +106,6 @@ private slots:
         std::uniform_real_distribution<double> anywhere(-250, 250);
         for (int i = 0; i < 300; ++i)
             for (const app::Variant& variant : app::variants()) {
-                if (variant.misprint)
-                    continue;
                 const app::TracedLine tracedLine{
                     variant,
                     {{anywhere(random), anywhere(random)}, {anywhere(random), anywhere(random)}},

@@ -43,12 +43,7 @@ std::vector<clipping::Segment> lines(int count)
 }
 
 /// Every form of every row of the library's catalogue, whether it has a row for teaching or not.
-std::vector<app::Variant> toldVariants()
-{
-    std::vector<app::Variant> all = app::variants();
-    std::erase_if(all, [](const app::Variant& variant) { return variant.misprint != nullptr; });
-    return notEmpty(std::move(all));
-}
+std::vector<app::Variant> toldVariants() { return notEmpty(app::variants()); }
 
 QString sentenceOf(const app::Variant& variant, const app::SentenceContext& context)
 {
@@ -171,7 +166,7 @@ private slots:
         for (const app::Variant& variant : toldVariants()) {
             const QStringList code = app::codeOf(variant);
             const auto labelled =
-                clipping::linesOf(clipping::codeOf(*variant.algorithm, variant.form));
+                clipping::linesOf(clipping::codeOf(app::rowOf(variant), variant.form));
             for (const auto& line : lines(40)) {
                 QByteArray wrong;
                 QMap<QString, QString> saidAt; // the line of the code, by the sentence
@@ -186,10 +181,11 @@ private slots:
                         if (!fault(sentence).isEmpty())
                             wrong = told(t, sentence);
                         if (!isEnd && saidAt.value(sentence, at) != at
-                            && !clipping::codeOf(*variant.algorithm, variant.form).empty())
+                            && !clipping::codeOf(app::rowOf(variant), variant.form).empty())
                             wrong = told(t, sentence + " is said of " + saidAt[sentence]);
                         saidAt[sentence] = at;
-                        if (hasItsOwnWords(variant) && t.step.what != clipping::What::Accept
+                        if (hasItsOwnWords(variant) && !variant.misprint
+                            && t.step.what != clipping::What::Accept
                             && sentenceOf(variant, t) == sentence)
                             wrong = told(t, sentence);
                     });
@@ -236,8 +232,7 @@ private slots:
                 };
                 forEachStep(variant, line, window, app::YAxis::Up, say(up));
                 forEachStep(variant, line, window, app::YAxis::Down, say(down));
-                const auto trace =
-                    clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, window);
+                const auto trace = app::functionsOf(variant).trace(line, window);
                 for (qsizetype i = 0; i < up.size(); ++i) {
                     const Edge edge = trace.steps[std::size_t(i)].edge;
                     if ((edge == Edge::Top || edge == Edge::Bottom) && up[i].contains(vertical)) {

@@ -223,8 +223,6 @@ private slots:
     void theTracesOfAllRowsBecomeSlides() // published endless ones too
     {
         for (const Variant& variant : variants()) {
-            if (variant.misprint)
-                continue;
             TraceExport trace = sample();
             trace.tracedLine.variant = variant;
             trace.tracedLine.window = {{0.1, 0.1}, {3, 3}};

@@ -126,19 +126,6 @@ private slots:
             }
     }
 
-    void misprintsAreTimedButNotCounted()
-    {
-        Stage stage;
-        const int misprint = stage.algorithm->count() - 1;
-        QVERIFY(!(stage.algorithm->model()->flags(stage.algorithm->model()->index(misprint, 0))
-                  & Qt::ItemIsEnabled));
-        stage.measure->setCurrentIndex(stage.measure->count() - 1);
-        stage.algorithm->setCurrentIndex(misprint);
-        QCOMPARE(stage.algorithm->currentIndex(), misprint);
-        stage.measure->setCurrentIndex(0); // which the misprint lacks
-        QCOMPARE(stage.algorithm->currentIndex(), 0);
-    }
-
     void theMapIsExported()
     {
         TestWindow test;

@@ -159,9 +159,10 @@ private slots:
         QCOMPARE(microscope.tracedLine().y, app::YAxis::Up);
         QCOMPARE(app::keyOf(microscope.tracedLine().variant),
                  QStringLiteral("cohen-sutherland:published"));
-        visit.casesWindow->choose(
-            theCase("step-2-nothing")); // a known misprint is selected; it has no steps
-        QVERIFY(!look->isEnabled());
+        visit.casesWindow->choose(theCase("step-2-nothing")); // a known misprint is selected
+        QTest::mouseClick(look, Qt::LeftButton);
+        QVERIFY(microscope.tracedLine().variant.misprint);
+        QVERIFY(!microscope.narration().steps.empty());
     }
 
     void aCaseOpensAsANewDrawing()
