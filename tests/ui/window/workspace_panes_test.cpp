@@ -139,7 +139,7 @@ private slots:
         t.show(published_);
         CompareTable& table = t.window->comparePanel().table();
         QTRY_VERIFY(table.currentIndex().isValid());
-        QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint());
+        QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint(), table.mapToGlobal(QPoint()));
         QCoreApplication::sendEvent(&table, &key);
         auto* menu = t.window->findChild<QMenu*>("algorithm-menu");
         QVERIFY(menu);
