@@ -3,12 +3,14 @@
 #include "app/base/text.h"
 #include "app/command_line/bench_files.h"
 #include "app/command_line/bench_plan.h"
-#include "app/command_line/bench_runs.h"
 #include "app/command_line/command.h"
 #include "app/command_line/table.h"
 #include "app/command_line/terminal.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/threads.h"
+#include "app/report/process_runs.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -35,8 +37,12 @@ Study measured(const Plan& plan)
     ProgressLine line;
     if (plan.trials.empty() || !plan.trials.front().options.inProcesses)
         return *study(plan, line.follower());
-    auto records = recordsInProcesses(plan, line.follower());
-    return *study(plan, std::move(records));
+    const RunProgram same{QCoreApplication::applicationFilePath(),
+                          QCoreApplication::arguments().sliced(1)};
+    auto records = recordsInProcesses(plan, same, line.follower());
+    if (!records)
+        throw Failure{records.error};
+    return *study(plan, std::move(*records.value));
 }
 
 Table analysed(const Analysis& analysis, const PlannedTrial& trial)
@@ -117,7 +123,7 @@ void bench(const ParsedArguments& arguments)
     if (!arguments.has(QStringLiteral("runs")))
         takeUsualRuns(plan);
     if (const auto run = arguments.count(QLatin1StringView(oneRun), 0, mostRuns - 1))
-        return printRun(*study(planOfRun(plan, *run)));
+        return print(QString::fromUtf8(dataOfRun(*study(planOfRun(plan, *run)))));
     for (PlannedTrial& trial : plan.trials)
         trial.options.inProcesses = arguments.has(QLatin1StringView(processes));
     const PlannedTrial explained = *plan.explained;

@@ -24,6 +24,7 @@ ExperimentOptions optionsOf(const Choice& choice)
     options.seed = choice.seed;
     options.order = choice.order;
     options.target = choice.target;
+    options.inProcesses = choice.inProcesses;
     return options;
 }
 

@@ -34,7 +34,8 @@ struct Choice {
     std::vector<clipping::Form> forms{clipping::Form::Published};
     std::vector<const clipping::Algorithm*> algorithms{}; ///< for a scene, not for the paper
     DrawTargetMaker target = nullptr;                     ///< null: nothing is drawn
-    bool explained = true; ///< also explained by class, operations and accuracy
+    bool inProcesses = false; ///< each run is made by a process of its own
+    bool explained = true;    ///< also explained by class, operations and accuracy
 };
 
 constexpr std::uint64_t mostLines = 4'000'000'000, mostRuns = 10'000;

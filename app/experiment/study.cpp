@@ -49,7 +49,9 @@ double weightOf(const PlannedTrial& trial)
 {
     const double each = double(trial.variants.size());
     const double make = 40, find = 20, draw = trial.options.target ? 20 + 50 * pixelsOf(trial) : 0;
-    return double(trial.options.lines) * double(trial.options.runs + trial.options.warmUps)
+    const auto& [runs, warmUps] = std::pair(trial.options.runs, trial.options.warmUps);
+    const std::size_t rounds = trial.options.inProcesses ? runs * (1 + warmUps) : runs + warmUps;
+    return double(trial.options.lines) * double(rounds)
            * (make + operationsOf(trial) + each * (find + draw));
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/repeat.h"
+
 #include "app/base/text.h"
 #include "app/experiment/analysis.h"
 #include "app/experiment/one_by_one.h"
 #include "app/formats/coordinates.h"
-#include "app/report/study_report.h"
 
 #include <QRegularExpression>
 
@@ -36,16 +37,10 @@ public:
         if (number != usual)
             add(option, QString::number(number));
     }
-    QString text() const
-    {
-        QStringList all{QStringLiteral("clearcut"), QStringLiteral("bench")};
-        for (const QString& word : words_)
-            all << quoted(word);
-        return all.join(u' ');
-    }
+    const QStringList& all() const { return words_; }
 
 private:
-    QStringList words_;
+    QStringList words_{QStringLiteral("bench")};
 };
 
 void addPaper(Words& words, const Study& study)
@@ -132,7 +127,7 @@ void addMeasures(Words& words, const Study& study)
 
 } // namespace
 
-QString commandToRepeat(const Study& study)
+QStringList wordsToRepeat(const Study& study)
 {
     const Trial& first = study.trials.front();
     Words words;
@@ -143,8 +138,16 @@ QString commandToRepeat(const Study& study)
     addScene(words, first.record.options);
     addHow(words, first);
     addMeasures(words, study);
-    words.add("report", QStringLiteral("report.html"));
-    return words.text();
+    return words.all();
+}
+
+QString commandToRepeat(const Study& study)
+{
+    const QStringList words = wordsToRepeat(study) << QStringLiteral("--report=report.html");
+    QStringList command{QStringLiteral("clearcut")};
+    for (const QString& word : words)
+        command << quoted(word);
+    return command.join(u' ');
 }
 
 } // namespace app

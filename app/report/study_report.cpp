@@ -7,6 +7,7 @@
 #include "app/charts/study_charts.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/verdict.h"
+#include "app/report/repeat.h"
 
 #include <algorithm>
 

@@ -11,8 +11,4 @@ namespace app {
 /// measurement.
 Report reportOf(const Study& study);
 
-/// The command that repeats the study and writes its report: "clearcut bench --paper ...". A
-/// drawing is named without its folder.
-QString commandToRepeat(const Study& study);
-
 } // namespace app

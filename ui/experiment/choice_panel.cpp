@@ -55,7 +55,8 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
       forms_(new Segments(Text::tr("Forms"),
                           {Text::tr("Published"), Text::tr("Corrected"), Text::tr("Both")})),
       drawn_(new QCheckBox(Text::tr("Also draw the visible parts"))),
-      explained_(new QCheckBox(Text::tr("Explain the times")))
+      explained_(new QCheckBox(Text::tr("Explain the times"))),
+      inProcesses_(new QCheckBox(Text::tr("Each run in a new process")))
 {
     describeFields();
     own_.assign(clipping::algorithms().size(), true);
@@ -69,7 +70,7 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
         connect(field, &QSpinBox::valueChanged, this, &ChoicePanel::changed);
     for (Segments* segments : {order_, forms_})
         connect(segments, &Segments::picked, this, &ChoicePanel::changed);
-    for (QCheckBox* box : {drawn_, explained_})
+    for (QCheckBox* box : {drawn_, explained_, inProcesses_})
         connect(box, &QCheckBox::toggled, this, &ChoicePanel::changed);
     showSubject();
 }
@@ -97,6 +98,9 @@ void ChoicePanel::describeFields()
     explained_->setChecked(true);
     explained_->setToolTip(Text::tr(
         "Measure the time for each class of lines, the number of operations and the accuracy."));
+    inProcesses_->setToolTip(
+        Text::tr("In another process memory lies elsewhere, which changes times by some per cent. "
+                 "The confidence intervals then cover this too. Takes about twice as long."));
     meaning_->setMinimumHeight(3 * meaning_->fontMetrics().lineSpacing() + 2);
     meaning_->setAlignment(Qt::AlignTop);
 }
@@ -131,6 +135,7 @@ void ChoicePanel::layOut()
     column->addSpacing(space::labelToField);
     column->addWidget(drawn_);
     column->addWidget(explained_);
+    column->addWidget(inProcesses_);
 }
 
 void ChoicePanel::addSubjects()
@@ -258,6 +263,7 @@ app::Choice ChoicePanel::choice() const
     if (drawn_->isChecked())
         choice.target = target_;
     choice.explained = explained_->isChecked();
+    choice.inProcesses = inProcesses_->isChecked();
     return choice;
 }
 

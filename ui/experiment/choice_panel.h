@@ -58,7 +58,7 @@ private:
     QSpinBox *lines_, *runs_, *seed_;
     Segments *order_, *forms_;
     QList<QCheckBox*> algorithms_;
-    QCheckBox *drawn_, *explained_;
+    QCheckBox *drawn_, *explained_, *inProcesses_;
     std::vector<bool> own_; ///< whether each algorithm is ticked for scenes
 };
 

@@ -2,6 +2,7 @@
 #include "ui/experiment/experiment_window.h"
 
 #include "app/base/numbers.h"
+#include "app/report/process_runs.h"
 #include "app/settings/remembered.h"
 #include "ui/experiment/choice_panel.h"
 #include "ui/experiment/exports.h"
@@ -14,6 +15,7 @@
 #include "ui/widgets/elements.h"
 #include "ui/widgets/progress_row.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
@@ -62,6 +64,15 @@ QWidget* invitation()
     return page;
 }
 
+/// The error is empty if it was stopped.
+app::Result<app::Study> measured(const app::Plan& plan, const QString& program,
+                                 const app::Follower& follower)
+{
+    if (plan.trials.front().options.inProcesses)
+        return app::studyInProcesses(plan, program, follower);
+    return {app::study(plan, follower), {}};
+}
+
 } // namespace
 
 ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString()> name,
@@ -73,7 +84,7 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
       run_(plainButton(Text::tr("&Run"), "play")), quick_(plainButton(Text::tr("&Quick run"))),
       copy_(plainButton(Text::tr("Co&py table"))), export_(new QToolButton), effort_(aside({})),
       progress_(new ProgressRow), strip_(new MessageStrip), stack_(new QStackedWidget),
-      results_(new Results({copy_, export_}))
+      results_(new Results({copy_, export_})), program_(QCoreApplication::applicationFilePath())
 {
     durationRatio_ =
         app::rememberedNumber(durationRatioKey, leastDurationRatio, mostDurationRatio, 1.0);
@@ -199,10 +210,12 @@ void ExperimentWindow::run(app::Choice choice)
     progress_->start();
     taken_.start();
     thought_ = app::roughSeconds(*plan.value);
-    measuring_.start([plan = std::move(*plan.value)](
-                         const app::Follower& follower) { return app::study(plan, follower); },
-                     [this](std::optional<app::Study>&& study) { finish(std::move(*study)); },
-                     [this](const app::Progress& progress) { showProgress(progress); });
+    measuring_.start(
+        [plan = std::move(*plan.value), program = program_](const app::Follower& follower) {
+            return measured(plan, program, follower);
+        },
+        [this](app::Result<app::Study>&& study) { finish(std::move(study)); },
+        [this](const app::Progress& progress) { showProgress(progress); });
     showState();
 }
 
@@ -213,14 +226,19 @@ void ExperimentWindow::cancel()
     progress_->tell(Text::tr("Cancelled. Nothing was changed."));
 }
 
-void ExperimentWindow::finish(app::Study study)
+void ExperimentWindow::finish(app::Result<app::Study> study)
 {
+    if (!study) {
+        strip_->tell({.sentence = study.error});
+        progress_->tell({});
+        return showState();
+    }
     const double taken = double(taken_.elapsed()) / 1000;
     if (thought_ >= leastTelling) {
         durationRatio_ = std::clamp(taken / thought_, leastDurationRatio, mostDurationRatio);
         QSettings().setValue(durationRatioKey, durationRatio_);
     }
-    results_->show(std::make_shared<const app::Study>(std::move(study)));
+    results_->show(std::make_shared<const app::Study>(std::move(*study.value)));
     stack_->setCurrentWidget(results_);
     showEffort();
     progress_->tell(Text::tr("Done in %1.").arg(app::durationText(taken)));

@@ -36,6 +36,9 @@ public:
 
     /// Replaces the dialogs; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions);
+    /// The program that makes each run if they are made in new processes; used by tests, which are
+    /// not Clearcut.
+    void setProgram(const QString& path) { program_ = path; }
     const app::Study* study() const;
 
 protected:
@@ -50,7 +53,7 @@ private:
     void addTools();
     void run(app::Choice choice);
     void cancel();
-    void finish(app::Study study);
+    void finish(app::Result<app::Study> study);
     void showProgress(const app::Progress& progress);
     void showEffort();
     void showState();
@@ -67,10 +70,11 @@ private:
     MessageStrip* strip_;
     QStackedWidget* stack_;
     Results* results_;
+    QString program_;
     QElapsedTimer taken_;
     double thought_ = 0;       ///< expected duration of the run, in seconds
     double durationRatio_ = 1; ///< measured divided by expected duration; kept in the settings
-    app::Background<std::optional<app::Study>> measuring_;
+    app::Background<app::Result<app::Study>> measuring_;
 };
 
 } // namespace ui

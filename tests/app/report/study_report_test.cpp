@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/study_charts.h"
 #include "app/command_line/bench_plan.h"
+#include "app/report/repeat.h"
 #include "app/report/study_report.h"
 
 #include <QProcess>

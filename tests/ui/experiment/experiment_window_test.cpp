@@ -156,6 +156,26 @@ private slots:
         QVERIFY(stage.named<QLabel>("Verdict")->text().contains("ranking"));
     }
 
+    void eachRunCanBeAProcess()
+    {
+        const Stage stage;
+        stage.window->setProgram(CLEARCUT_BINARY);
+        for (auto* box : stage.window->findChildren<QCheckBox*>())
+            if (box->text() == "Each run in a new process")
+                box->click();
+        stage.runFew("drawing");
+        const app::Study* study = stage.window->study();
+        QVERIFY(study);
+        const app::Record record = study->trials.front().record;
+        QVERIFY(record.options.inProcesses);
+        QCOMPARE(record.timings.front().clip.size(), 2u);
+        stage.window->setProgram("/bin/false");
+        stage.click("Run");
+        QTRY_VERIFY_WITH_TIMEOUT(!stage.measuring(), patience);
+        QVERIFY(stage.window->study() == study);
+        QVERIFY(stage.window->findChild<MessageStrip*>()->isVisible());
+    }
+
     void thereAreEnoughRunsToTellTheAlgorithmsApart()
     {
         const Stage stage;
