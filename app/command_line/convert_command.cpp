@@ -39,6 +39,7 @@ Command convertCommand()
     std::vector<Option> options = partOptions();
     for (const auto& more : {writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
+    options.push_back(clipPathsOption());
     options.push_back(joinOption());
     options.push_back(toleranceOption());
     options.push_back({{"q", "quiet"}, {}, Text::tr("Do not report losses.")});

@@ -112,9 +112,27 @@ void refuseProjection(const ParsedArguments& arguments, std::initializer_list<co
         throw WrongUsage{Text::tr("--projection is for geojson maps. Leave out the option.")};
 }
 
+constexpr auto clipPaths = "clip-paths";
+
+bool keepsClipPaths(const ParsedArguments& arguments)
+{
+    const QString option = QLatin1StringView(clipPaths);
+    return arguments.knows(option) && arguments.choice(option, {"cut", "keep"}) == 1;
+}
+
+/// If one of the files has no clip paths.
+void refuseKeptClipPaths(const ParsedArguments& arguments,
+                         std::initializer_list<const Format*> files)
+{
+    const auto hasThem = [](const Format* format) { return format->takes.clipPaths; };
+    if (keepsClipPaths(arguments) && !std::ranges::all_of(files, hasThem))
+        throw WrongUsage{Text::tr("--clip-paths keep: only svg files have clip paths. Leave out "
+                                  "the option, or read and write svg files.")};
+}
+
 ReadOptions readOptionsOf(const ParsedArguments& arguments)
 {
-    return {unitOf(arguments), projectionOf(arguments)};
+    return {unitOf(arguments), projectionOf(arguments), keepsClipPaths(arguments)};
 }
 
 } // namespace
@@ -151,6 +169,14 @@ std::vector<Option> readingOptions()
              "outlines|strokes",
              Text::tr("Letters of texts as outlines of their font (the default), or as single "
                       "strokes for plotters, in the same places.")}};
+}
+
+Option clipPathsOption()
+{
+    return {{clipPaths},
+            "cut|keep",
+            Text::tr("Clip paths of svg files: cut at them (the default), or write them again into "
+                     "an svg file.")};
 }
 
 Option joinOption()
@@ -340,7 +366,9 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
                                   "or write a dxf file.")
                              .arg(QLatin1StringView(output.format->key))};
     output.options.projection = projectionOf(arguments);
-    refuseProjection(arguments, {output.format, &readFormatOf(arguments, input)});
+    const Format& inputFormat = readFormatOf(arguments, input);
+    refuseProjection(arguments, {output.format, &inputFormat});
+    refuseKeptClipPaths(arguments, {output.format, &inputFormat});
     output.options.plain = arguments.has(QStringLiteral("plain"));
     if (output.options.plain && !output.format->takes.plain)
         throw WrongUsage{Text::tr("--plain: a file of type %1 is no SVG file. Leave out the "

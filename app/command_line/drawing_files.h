@@ -34,6 +34,9 @@ Imported readDrawing(const QString& path);
 /// The same for the input of a command, which may be standard input, or have a type that is given.
 Imported readDrawing(const ParsedArguments& arguments, const QString& path);
 
+/// --clip-paths, for commands that do not cut.
+Option clipPathsOption();
+
 /// --join, for commands that write a drawing.
 Option joinOption();
 /// Joins lines whose ends meet, if --join is given; throws WrongUsage.

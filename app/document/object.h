@@ -6,13 +6,24 @@
 #include "app/document/recipe.h"
 #include "app/document/style_table.h"
 
+#include <memory>
+#include <vector>
+
 namespace app {
+
+struct ClipWindows; // clip_windows.h
+
+/// Areas that hide what is outside of them, outermost first. The windows of one unite.
+using KeptClips = std::vector<std::shared_ptr<const ClipWindows>>;
 
 /// Properties that only few objects have.
 struct Particulars {
     QString id{};                   ///< the SVG id; unique in a document
     QString title{}, description{}; ///< XML, in the form that About describes
     Recipe recipe{};
+    /// Clip paths of an SVG file that were kept instead of cut (ReadOptions::keepsClipPaths): only
+    /// SVG files show them, and an edit does not move them.
+    KeptClips clips{};
     friend bool operator==(const Particulars&, const Particulars&) = default;
 };
 /// The empty particulars; shared, so that they use no memory for each object.

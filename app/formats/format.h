@@ -56,8 +56,9 @@ struct Imported {
 
 /// What a person says about a file that may not say it itself.
 struct ReadOptions {
-    std::optional<Unit> unit{}; ///< of its coordinates; one that has a size
+    std::optional<Unit> unit{};                      ///< of its coordinates; one that has a size
     Projection projection = Projection::PlateCarree; ///< of its degrees
+    bool keepsClipPaths = false; ///< SVG: as Particulars::clips, instead of cutting at them
 };
 
 /// Versions of DXF that are written: with curves, true colours and line weights, or for old
@@ -82,7 +83,7 @@ struct WriteOptions {
     /// CSV: the column `source`, one number for each object; rows are sorted by it. Empty: no such
     /// column, and rows in drawing order.
     std::vector<std::uint32_t> sources{};
-    DxfVersion dxf = DxfVersion::R2000; ///< DXF only
+    DxfVersion dxf = DxfVersion::R2000;              ///< DXF only
     Projection projection = Projection::PlateCarree; ///< GeoJSON: in which degrees were drawn
     bool plain = false; ///< SVG: nothing but SVG, so that texts, shapes and layers are only drawn
     /// DXF: the page of the whole drawing, if that of the document is only a part.
@@ -100,8 +101,8 @@ enum class Holds : std::uint8_t { Paths, Outlines, Polygons, SeparateLines };
 /// Whether the format can store hidden objects as hidden.
 enum class StoresHidden : std::uint8_t { No, Yes };
 
-/// Which members of ReadOptions and WriteOptions a format takes, and whether its files have a page of
-/// their own.
+/// Which members of ReadOptions and WriteOptions a format takes, and whether its files have a page
+/// of their own.
 struct FormatTakes {
     bool dpi = false;
     bool background = false;
@@ -111,6 +112,7 @@ struct FormatTakes {
     bool plain = false; ///< WriteOptions::plain
     bool unit = false;  ///< ReadOptions::unit
     bool projection = false;
+    bool clipPaths = false; ///< ReadOptions::keepsClipPaths
 };
 
 /// One row of the catalogue of file formats. A null function: not supported.

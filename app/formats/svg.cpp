@@ -21,7 +21,8 @@ Format svgFormat()
             .arg(countText(svg::deepestNesting), countText(svg::mostParts),
                  countText(Containers::mostLayers)),
         Text::tr("edit again"),
-        {.precision = true, .paper = true, .plain = true}};
+        {.precision = true, .paper = true, .plain = true, .clipPaths = true},
+        svg::read};
 }
 
 } // namespace app

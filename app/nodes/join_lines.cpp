@@ -20,7 +20,7 @@ struct OpenPaths {
 OpenPaths openPathsOf(const Document& document)
 {
     OpenPaths open;
-    std::map<std::pair<ContainerId, StyleIndex>, std::uint32_t> pens;
+    std::map<std::tuple<ContainerId, StyleIndex, KeptClips>, std::uint32_t> pens;
     const Objects& objects = document.objects();
     objects.forEach(0, objects.size(), [&](std::size_t i, const ObjectView& object) {
         if (!std::holds_alternative<std::monostate>(object.particulars().recipe))
@@ -30,7 +30,8 @@ OpenPaths openPathsOf(const Document& document)
             return;
         open.path.push_back(nodesOf(subpaths).front());
         open.owners.push_back(i);
-        const auto pen = std::pair(document.containers().containerOf(i), object.styleIndex());
+        const auto pen = std::tuple(document.containers().containerOf(i), object.styleIndex(),
+                                    object.particulars().clips);
         open.pens.push_back(pens.emplace(pen, std::uint32_t(pens.size())).first->second);
     });
     return open;

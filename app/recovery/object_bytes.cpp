@@ -78,7 +78,8 @@ void writeParticulars(ByteWriter& out, const Particulars& particulars)
     out.put(std::uint8_t(some));
     if (!some)
         return;
-    const auto& [id, title, description, recipe] = particulars;
+    // No open drawing has clip paths that were kept: only the command line keeps them.
+    const auto& [id, title, description, recipe, clips] = particulars;
     out.put(id);
     out.put(title);
     out.put(description);

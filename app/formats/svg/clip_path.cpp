@@ -23,7 +23,7 @@ void TreeDrawer::addClipPath(std::string_view value, const Boxed& boxed, Place& 
     const Node node = node_;
     const bool refers = equalsIgnoringCase(value.substr(0, 4), "url(");
     if (refers ? addClipReference(value, boxed, place) : addCssClip(value, boxed, place))
-        report_.add(losses::cutClipPath);
+        report_.add(content_.keepsClips() ? losses::keptClipPath : losses::cutClipPath);
     report_.turnTo(line);
     node_ = node;
 }

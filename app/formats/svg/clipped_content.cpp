@@ -28,9 +28,20 @@ void ClippedContent::close()
 
 void ClippedContent::add(Object object, const ClipAreas& around)
 {
-    moveTo(around);
+    if (keepsClips_)
+        object.particulars.clips = keptOf(around);
+    else
+        moveTo(around);
     parts_.add(object);
     put(std::move(object));
+}
+
+KeptClips ClippedContent::keptOf(const ClipAreas& areas)
+{
+    KeptClips clips;
+    for (const auto& area : areas)
+        clips.emplace_back(area, &area->windows);
+    return clips;
 }
 
 // Into these areas, out of all others.

@@ -22,6 +22,10 @@ public:
     {
     }
 
+    /// Whether objects keep the areas around them (Particulars::clips) instead of being cut.
+    void keepClips(bool keep) { keepsClips_ = keep; }
+    bool keepsClips() const { return keepsClips_; }
+
     void open(Container container);
     void close();
     void add(Object object, const ClipAreas& around);
@@ -42,6 +46,7 @@ private:
         Objects objects{};
     };
 
+    static KeptClips keptOf(const ClipAreas& areas);
     void moveTo(const ClipAreas& areas);
     void put(Object object);
     void leave();
@@ -55,6 +60,7 @@ private:
     ContainerStack containers_;
     std::vector<Scope> scopes_; ///< outermost first
     std::size_t work_ = 0;
+    bool keepsClips_ = false;
 };
 
 } // namespace app::svg

@@ -79,11 +79,10 @@ inline constexpr LossKind imageTooLarge{
                               "images of a file 200 million pixels and 256 MB")};
 inline constexpr LossKind imageBeyond{QT_TRANSLATE_NOOP("Text", "image beyond the first 500"),
                                       QT_TRANSLATE_NOOP("Text", "images beyond the first 500")};
-inline constexpr LossKind sharpPixels{
-    QT_TRANSLATE_NOOP("Text", "image with sharp pixels"),
-    QT_TRANSLATE_NOOP("Text", "images with sharp pixels"), false,
-    QT_TRANSLATE_NOOP("Text", "its pixels are smoothed"),
-    QT_TRANSLATE_NOOP("Text", "their pixels are smoothed")};
+inline constexpr LossKind sharpPixels{QT_TRANSLATE_NOOP("Text", "image with sharp pixels"),
+                                      QT_TRANSLATE_NOOP("Text", "images with sharp pixels"), false,
+                                      QT_TRANSLATE_NOOP("Text", "its pixels are smoothed"),
+                                      QT_TRANSLATE_NOOP("Text", "their pixels are smoothed")};
 inline constexpr LossKind imageUncut{
     QT_TRANSLATE_NOOP("Text", "clip path of an image that is not one convex polygon"),
     QT_TRANSLATE_NOOP("Text", "clip paths of images that are not one convex polygon"), false,
@@ -347,6 +346,11 @@ inline constexpr LossKind cutClipPath{
     nullptr,
     false,
     true};
+inline constexpr LossKind keptClipPath{QT_TRANSLATE_NOOP("Text", "clip path was kept"),
+                                       QT_TRANSLATE_NOOP("Text", "clip paths were kept"), true};
+inline constexpr LossKind keptMask{QT_TRANSLATE_NOOP("Text", "mask was kept as a clip path"),
+                                   QT_TRANSLATE_NOOP("Text", "masks were kept as clip paths"),
+                                   true};
 inline constexpr LossKind cutMask{QT_TRANSLATE_NOOP("Text", "mask was replaced by a real cut"),
                                   QT_TRANSLATE_NOOP("Text", "masks were replaced by real cuts"),
                                   true,

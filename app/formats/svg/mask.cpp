@@ -64,7 +64,7 @@ void TreeDrawer::addMask(const Boxed& boxed, Place& place)
         place.properties.opacity = masked.properties.opacity;
         place.properties.mask = {};
         report_.turnTo(line);
-        report_.add(losses::cutMask);
+        report_.add(content_.keepsClips() ? losses::keptMask : losses::cutMask);
     }
     report_.turnTo(line);
     node_ = node;

@@ -34,10 +34,17 @@ std::optional<clipping::Window> drawnOf(const RootPage& root, const Document& do
     return clipping::Window{glm::min(page.min, drawn.min), glm::max(page.max, drawn.max)};
 }
 
+/// Where the text of a drawing comes from, and how it is read.
+struct Source {
+    QString folder;
+    const ReadOptions& options;
+};
+
 void draw(const Tree& tree, const RootPage& root, Styles& styles, Report& report,
-          const QString& folder, Imported& imported)
+          const Source& source, Imported& imported)
 {
-    TreeDrawer drawer(tree, styles, report, root.page, folder);
+    TreeDrawer drawer(tree, styles, report, root.page, source.folder);
+    drawer.keepClipPaths(source.options.keepsClipPaths);
     try {
         imported.document = drawer.drawAll(root.matrix, root.viewport);
         imported.clipPaths = drawer.takeClipPaths();
@@ -54,13 +61,13 @@ void refuseUnusable(const Page& page)
         throw Refused{*fault, Refused::wholeFile};
 }
 
-Imported import(const Tree& tree, Report& report, const QString& folder)
+Imported import(const Tree& tree, Report& report, const Source& source)
 {
     Imported imported;
     Styles styles(tree, report);
     const RootPage root = readPage(tree, styles, report);
     refuseUnusable(root.page);
-    draw(tree, root, styles, report, folder, imported);
+    draw(tree, root, styles, report, source, imported);
     Document& document = imported.document;
     Page page = closed(root, document.objects());
     refuseUnusable(page);
@@ -121,12 +128,14 @@ QString folderOf(QIODevice& in)
 
 } // namespace
 
-Result<Imported> read(QIODevice& in)
+Result<Imported> read(QIODevice& in) { return read(in, {}); }
+
+Result<Imported> read(QIODevice& in, const ReadOptions& options)
 {
     try {
         Report report;
         const Tree tree = isZipped(in) ? readZippedTree(in, report) : readTree(in, report);
-        return Result<Imported>::of(import(tree, report, folderOf(in)));
+        return Result<Imported>::of(import(tree, report, {folderOf(in), options}));
     } catch (const Refused& refused) {
         return Result<Imported>::failure(
             refused.line > 0 ? Text::tr("line %1 %2").arg(refused.line).arg(refused.why)

@@ -9,5 +9,6 @@ namespace app::svg {
 /// expanded, and hidden objects stay hidden. An error sentence begins with the line ("line 212 is
 /// not complete ..."). Time and memory are bounded by limits.h, whatever the file contains.
 Result<Imported> read(QIODevice& in);
+Result<Imported> read(QIODevice& in, const ReadOptions& options);
 
 } // namespace app::svg

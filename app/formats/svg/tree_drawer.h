@@ -45,6 +45,9 @@ public:
     TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page,
                const QString& folder);
 
+    /// Whether clip paths, masks and viewports become Particulars::clips, and nothing is cut.
+    void keepClipPaths(bool keep) { content_.keepClips(keep); }
+
     /// The content of the root as a document with the page. Throws Refused.
     Document drawAll(const Matrix& rootMatrix, const Point& viewport);
 

@@ -7,6 +7,7 @@
 #include "app/formats/painted.h"
 #include "app/formats/rounded.h"
 #include "app/formats/svg/attribute_text.h"
+#include "app/formats/svg/clip_text.h"
 #include "app/formats/svg/guide_text.h"
 #include "app/formats/svg/image_text.h"
 #include "app/formats/svg/length.h"
@@ -110,6 +111,7 @@ private:
         appendLine(about.metadata);
         if (!plain_)
             appendOwn(page);
+        clips_.append(text_, document_, outlines_);
     }
 
     void appendOwn(const Page& page)
@@ -243,6 +245,7 @@ private:
             appendAttribute(text_, "clearcut:recipe", recipe);
         if (object.hidden())
             appendAttribute(text_, "display", "none");
+        clips_.appendReference(text_, particulars.clips);
         text_ += style;
         if (particulars.title.isEmpty() && particulars.description.isEmpty())
             text_ += "/>\n";
@@ -266,6 +269,7 @@ private:
     const Document& document_;
     QIODevice& out_;
     OutlineText outlines_;
+    ClipText clips_;
     const bool plain_;
     const double scale_;
     std::string text_;
