@@ -74,7 +74,10 @@ std::variant<std::shared_ptr<const ImageFile>, ImageFault> imageFileOf(QByteArra
         if (kind.kind == ImageFile::Kind::Png && !hasEnd(bytes))
             return ImageFault::Damaged;
         QBuffer buffer(&bytes);
-        const QSize size = QImageReader(&buffer, kind.name).size();
+        QImageReader reader(&buffer, kind.name);
+        QSize size = reader.size();
+        if (reader.transformation() & QImageIOHandler::TransformationRotate90)
+            size.transpose();
         if (size.isEmpty())
             return ImageFault::Damaged;
         if (isTooLarge(size))

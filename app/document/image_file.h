@@ -18,7 +18,7 @@ struct ImageFile {
     enum class Kind : std::uint8_t { Png, Jpeg };
     QByteArray bytes{};
     Kind kind = Kind::Png;
-    int width = 0, height = 0; ///< pixels
+    int width = 0, height = 0; ///< pixels, as it is shown: turned as its camera says (Exif)
     friend bool operator==(const ImageFile&, const ImageFile&) = default;
 };
 

@@ -25,6 +25,7 @@ QImage decoded(const ImageFile& file)
     QBuffer buffer(&bytes);
     QImageReader reader(&buffer, file.kind == ImageFile::Kind::Png ? "png" : "jpeg");
     QImageReader::setAllocationLimit(mostMegabytes);
+    reader.setAutoTransform(true);
     return reader.read();
 }
 

@@ -7,6 +7,8 @@
 #include "app/view/frame_painting.h"
 #include "app/view/image_pixels.h"
 
+#include <QBuffer>
+#include <QImageWriter>
 #include <QPainter>
 #include <QTest>
 
@@ -83,6 +85,33 @@ class ImagesTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A photograph is seen as its camera was held.
+    void isTurnedAsExifSays()
+    {
+        QImage held(40, 30, QImage::Format_RGB32); // red at the left
+        held.fill(Qt::green);
+        QPainter(&held).fillRect(0, 0, 20, 30, Qt::red);
+        for (int turn = 0; turn < 8; ++turn) {
+            QBuffer out;
+            QImageWriter writer(&out, "jpeg");
+            writer.setTransformation(QImageIOHandler::Transformations(turn));
+            QVERIFY(writer.write(held));
+            const auto found = imageFileOf(out.data());
+            const auto* file = std::get_if<std::shared_ptr<const ImageFile>>(&found);
+            QVERIFY(file);
+            const bool across = turn & QImageIOHandler::TransformationRotate90;
+            QCOMPARE(QSize((*file)->width, (*file)->height),
+                     across ? QSize(30, 40) : QSize(40, 30));
+            const QImage seen = pixelsOf(*file, 0);
+            QCOMPARE(seen.size(), QSize((*file)->width, (*file)->height));
+            const bool mirrored = turn & QImageIOHandler::TransformationMirror;
+            const auto isRed = [&](int x, int y) { return qRed(seen.pixel(x, y)) > 128; };
+            QCOMPARE(isRed(2, 2), !mirrored); // the left is the top after a quarter turn
+            QCOMPARE(isRed(seen.width() - 3, seen.height() - 3), mirrored);
+            QCOMPARE(isRed(seen.width() - 3, 2), across != mirrored);
+        }
+    }
+
     void liesAmongTheLines()
     {
         const QImage frame = frameOf(drawing());
