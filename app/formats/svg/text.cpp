@@ -25,6 +25,9 @@ QString inCase(const QString& text, TextStyle::Case letterCase)
                                                   : text;
 }
 
+// Of the square of an East Asian letter, as its fonts have it (the baseline "ideo" of OpenType).
+constexpr double ideographicAscent = 0.88;
+
 // The recipe that makes the letters again, in the document's coordinates.
 Recipe textRecipe(const LaidLetters& letters, const LineFont& font, double capital,
                   const Matrix& matrix)
@@ -153,7 +156,7 @@ std::vector<Subpath> TreeDrawer::letterPaths(Node node, const Place& place)
 // The letters of a text, in its own coordinates.
 TextParts TreeDrawer::textParts(Node node, const Place& place, Texts& texts)
 {
-    collectText(node, place, {}, texts);
+    collectText(node, place, {.vertical = place.properties.text.vertical}, texts);
     texts.content.trimEnd();
     const qsizetype count = texts.content.text().size();
     countLetters(std::size_t(count));
@@ -329,12 +332,20 @@ void TreeDrawer::addRun(const Place& place, const TextSpan& span, Texts& texts)
     TextRun run{.font = lineFontOf(p),
                 .anchor = p.text.anchor,
                 .rightToLeft = p.text.rightToLeft,
+                .vertical = span.vertical && !span.path,
                 .path = span.path,
                 .startOffset = span.startOffset};
-    const auto baseline = p.alignment.empty() ? p.text.baseline : p.alignment;
+    if (span.vertical && span.path)
+        report_.add(losses::property, "writing-mode");
+    const LineMeasures high = lineFonts_.measuresOf(run.font);
+    run.height = p.fontSize;
+    run.ascent = ideographicAscent * p.fontSize;
+    auto baseline = p.alignment.empty() ? p.text.baseline : p.alignment;
+    if (run.vertical && baseline.empty())
+        baseline = "central"; // on which both upright and turned letters are centred
     run.lowered = -span.raised;
     if (!baseline.empty())
-        run.lowered += depthOfBaseline(baseline, lineFonts_.measuresOf(run.font));
+        run.lowered += depthOfBaseline(baseline, high);
     texts.runs.push_back(std::move(run));
     texts.places.push_back(place);
     texts.lines.push_back(span.lines);

@@ -30,6 +30,20 @@ bool isJoined(QChar letter)
            || script == QChar::Script_Devanagari || script == QChar::Script_Bengali;
 }
 
+// Whether a letter stands upright in a vertical line, as those of East Asian scripts do (UTR 50,
+// roughly); the others are turned to the right.
+bool isUpright(QChar letter)
+{
+    const auto script = letter.script();
+    const auto within = [&](char16_t first, char16_t last) {
+        return letter.unicode() >= first && letter.unicode() <= last;
+    };
+    return script == QChar::Script_Han || script == QChar::Script_Hiragana
+           || script == QChar::Script_Katakana || script == QChar::Script_Hangul
+           || script == QChar::Script_Bopomofo || script == QChar::Script_Yi
+           || within(0x3000, 0x303f) || within(0xff01, 0xff60) || letter.isSurrogate();
+}
+
 /// Characters that are laid out together: from one absolute position to the next.
 struct Chunk {
     qsizetype first, end;
@@ -101,6 +115,8 @@ private:
         pen_ += Point{orZero(place.dx), orZero(place.dy)};
         if (runAt(chunk.first).path)
             setOnPath(chunk, line, stretch);
+        else if (runAt(chunk.first).vertical)
+            setDown(chunk, line, stretch);
         else
             setStraight(chunk, line, stretch);
     }
@@ -143,8 +159,11 @@ private:
             if (i > 0)
                 shift += Point{orZero(place.dx), orZero(place.dy)};
             const double turn = orZero(place.rotate);
-            const bool apart = pieces.empty() || single || turn != 0 || pieces.back().turn != 0
-                               || shift != pieces.back().shift
+            const bool upright = runAt(chunk.first).vertical
+                                 && (isUpright(content_.text()[chunk.first + i])
+                                     || (!pieces.empty() && isUprightAt(chunk, pieces.back())));
+            const bool apart = pieces.empty() || single || upright || turn != 0
+                               || pieces.back().turn != 0 || shift != pieces.back().shift
                                || content_.runOf(chunk.first + i)
                                       != content_.runOf(chunk.first + pieces.back().first);
             if (apart)
@@ -155,6 +174,11 @@ private:
         for (Piece& piece : pieces)
             measure(piece, line, stretch);
         return pieces;
+    }
+
+    bool isUprightAt(const Chunk& chunk, const Piece& piece) const
+    {
+        return isUpright(content_.text()[chunk.first + piece.first]);
     }
 
     // Where a piece lies on its line. Both directions of writing may be in it.
@@ -211,6 +235,37 @@ private:
             pen_ += pieces.back().shift;
     }
 
+    // How long a piece is in a vertical line.
+    double heightOf(const Chunk& chunk, const Piece& piece) const
+    {
+        return isUprightAt(chunk, piece) ? runAt(chunk.first + piece.first).height
+                                         : piece.right - piece.left;
+    }
+
+    void setDown(const Chunk& chunk, TextLine& line, double stretch)
+    {
+        using Anchor = TextStyle::Anchor;
+        const auto pieces = piecesOf(chunk, line, stretch);
+        double height = -gapAfter(chunk.end - 1);
+        for (const Piece& piece : pieces)
+            height += heightOf(chunk, piece);
+        const Anchor anchor = runAt(chunk.first).anchor;
+        pen_.y -= anchor == Anchor::Start ? 0 : anchor == Anchor::End ? height : height / 2;
+        for (const Piece& piece : pieces) {
+            const TextRun& run = runAt(chunk.first + piece.first);
+            const double angle = piece.turn * std::numbers::pi / 180;
+            const Matrix turned = turnedTo({}, {std::cos(angle), std::sin(angle)}, {});
+            const Matrix upright = translation(Point{-(piece.right - piece.left) / 2, run.ascent});
+            const Matrix along = Matrix{0, 1, -1, 0, 0, 0} * translation({0, run.lowered});
+            add(chunk, piece, line, stretch,
+                translation(pen_ + piece.shift) * (isUprightAt(chunk, piece) ? upright : along)
+                    * turned * translation({-piece.left, 0}));
+            pen_.y += heightOf(chunk, piece);
+        }
+        if (!pieces.empty())
+            pen_ += pieces.back().shift;
+    }
+
     void setOnPath(const Chunk& chunk, TextLine& line, double stretch)
     {
         const auto pieces = piecesOf(chunk, line, stretch);
@@ -250,7 +305,8 @@ private:
         for (Subpath& path : letters.paths)
             transform(path, where * Matrix{stretch, 0, 0, 1, 0, 0});
         const bool plain = piece.turn == 0 && stretch == 1 && letters.ofOneFont
-                           && letters.missing.isEmpty() && !runAt(chunk.first).path;
+                           && letters.missing.isEmpty() && !runAt(chunk.first).path
+                           && !runAt(chunk.first).vertical;
         const QString text =
             content_.text().mid(chunk.first + piece.first, piece.end - piece.first);
         LaidLetters laid{std::move(letters.paths), content_.runOf(chunk.first + piece.first),

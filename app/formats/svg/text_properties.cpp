@@ -131,6 +131,16 @@ bool setSpacing(Properties& p, Word text, const Given& given)
     return length.has_value();
 }
 
+/// Of CSS, and of SVG 1.1.
+bool setWritingMode(Properties& p, Word text, const Given&)
+{
+    const bool vertical = isOneOf(text, "vertical-rl vertical-lr tb tb-rl tb-lr");
+    const bool known = vertical || isOneOf(text, "horizontal-tb lr lr-tb rl rl-tb");
+    if (known)
+        p.text.vertical = vertical;
+    return known;
+}
+
 bool setAnchor(Properties& p, Word text, const Given&)
 {
     using Anchor = TextStyle::Anchor;
@@ -282,7 +292,6 @@ constexpr std::array notEvaluated{
     NotEvaluated{"text-rendering", "auto optimizelegibility geometricprecision"},
     NotEvaluated{"text-shadow", "none"},
     NotEvaluated{"unicode-bidi", "normal embed isolate plaintext"},
-    NotEvaluated{"writing-mode", "lr lr-tb horizontal-tb"},
 };
 
 bool setNotEvaluated(Properties& p, Word text, const Given& given)
@@ -330,6 +339,7 @@ const std::array evaluated{
     letters<&Letters::wordSpacing>("word-spacing", setSpacing<&Letters::wordSpacing>),
     letters<&Letters::anchor>("text-anchor", setAnchor),
     letters<&Letters::rightToLeft>("direction", setDirection),
+    letters<&Letters::vertical>("writing-mode", setWritingMode),
     letters<&Letters::keepsBlanks>("white-space", setWhiteSpace),
     letters<&Letters::baseline>("dominant-baseline", setDominantBaseline),
     letters<&Letters::lines>("text-decoration", setDecoration),

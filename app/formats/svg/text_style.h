@@ -20,6 +20,7 @@ struct TextStyle {
     Anchor anchor = Anchor::Start;
     Case letterCase = Case::AsWritten;
     bool rightToLeft = false;
+    bool vertical = false;        ///< written from top to bottom
     bool keepsBlanks = false;     ///< of CSS; xml:space says the same
     std::string_view baseline{};  ///< "middle": the line of the letters that lies on the baseline
     std::uint8_t lines = 0;       ///< under, over and through the letters

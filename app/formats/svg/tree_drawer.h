@@ -145,6 +145,7 @@ private:
         double startOffset = 0;
         double raised = 0;
         bool keepsBlanks = false;
+        bool vertical = false; ///< as the <text> says, whatever is said within it
         std::array<std::shared_ptr<const TextLineStyle>, 3> lines{};
     };
     void drawText(Node node, const Place& around);

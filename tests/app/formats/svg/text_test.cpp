@@ -73,6 +73,31 @@ QByteArray text(const QByteArray& attributes, const QByteArray& content)
 class TextTest : public QObject {
     Q_OBJECT
 private slots:
+    void verticalLinesRunDown()
+    {
+        const Bounds across = boundsOf(text("x='10' y='20'", "HHHHH")),
+                     down = boundsOf(text("x='10' y='20' writing-mode='tb'", "HHHHH"));
+        QNEAR(down.max.y - down.min.y, across.width());
+        QNEAR(down.min.y - 20, across.min.x - 10);
+        QNEAR(down.width(), across.max.y - across.min.y);
+        QVERIFY(down.min.x < 10 && down.max.x > 10); // the line runs through the letters
+        const auto place = [](const QByteArray& anchor) {
+            return boundsOf(text(
+                "y='50' style='writing-mode: vertical-rl; text-anchor: " + anchor + "'", "HHHHH"));
+        };
+        QNEAR((place("middle").min.y + place("middle").max.y) / 2, 50);
+        QNEAR(place("end").max.y, 50 - (across.min.x - 10));
+        QNEAR(boundsOf(text("y='10' writing-mode='vertical-lr'", "H<tspan dy='7'>H</tspan>")).max.y
+                  - boundsOf(text("y='10' writing-mode='vertical-lr'", "HH")).max.y,
+              7);
+        // Only that of the whole text counts.
+        QNEAR(boundsOf(text("", "H<tspan writing-mode='tb'>H</tspan>")).width(),
+              boundsOf(text("", "HH")).width());
+        QVERIFY(reportOf("<path id='p' d='M0 0H90'/>"
+                         + text("writing-mode='tb'", "<textPath href='#p'>H</textPath>"))
+                    .contains("use of the style property “writing-mode”"));
+    }
+
     void kerningCanBeSwitchedOff()
     {
         const auto width = [](const QByteArray& attributes) {
@@ -249,8 +274,8 @@ private slots:
                     .contains("“No Such Font → DejaVu Serif”"));
         QCOMPARE(reportOf("<text font-family='serif'>one</text>"),
                  "1 text became the outlines of its letters");
-        QVERIFY(reportOf(text("writing-mode='tb'", "one"))
-                    .contains("use of the style property “writing-mode”"));
+        QCOMPARE(reportOf(text("writing-mode='tb'", "one")),
+                 "1 text became the outlines of its letters");
         QVERIFY(reportOf(text("x='1 nonsense'", "one")).contains("“x: nonsense”"));
         QVERIFY(reportOf(text("letter-spacing='5%'", "one")).contains("“letter-spacing: 5%”"));
         QVERIFY(reportOf(text("font-variant='small-caps'", "one")).contains("small capitals"));
