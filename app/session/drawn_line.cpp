@@ -73,9 +73,11 @@ void DrawnLine::choose(const Variant& variant)
 {
     TracedLine tracedLine = session_.microscope.tracedLine();
     tracedLine.variant = variant;
-    if (!attached_ || variant.misprint)
+    if (!attached_)
         return session_.microscope.setTracedLine(tracedLine);
     show(tracedLine);
+    if (variant.misprint)
+        return; // nothing is cut with it
     session_.changeDisplay([&variant](Display& display) {
         display.variant = {variant.algorithm, variant.form};
     });

@@ -299,7 +299,8 @@ void StatusBar::showAlgorithm(const app::Variant& variant)
     const app::Variant used =
         open || leavesAlone() ? variant : app::usedAt(session_.region(), variant);
     const bool published = used.form == clipping::Form::Published;
-    const QString mark = Text::tr(", published"), other = Text::tr("%1 instead of %2");
+    const QString mark = used.misprint ? Text::tr(", misprint") : Text::tr(", published"),
+                  other = Text::tr("%1 instead of %2");
     const bool instead = used.algorithm != variant.algorithm;
     const QString name = app::latin(used.algorithm->abbreviation);
     algorithm_->setWidest(instead ? other.arg(name, widest) : published ? widest + mark : widest);

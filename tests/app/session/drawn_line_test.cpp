@@ -194,6 +194,21 @@ private slots:
         QCOMPARE(session.display().variant.form, clipping::Form::Published);
         QCOMPARE(session.microscope.tracedLine().variant.form, clipping::Form::Published);
     }
+    void aMisprintIsOnlyLookedAt()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        session.load({app::documentOf(sheetOf({across, half})), {}});
+        drawn.look(0);
+        const app::Variant before = session.variant(), misprint = *app::findVariant("md-step-2");
+        drawn.choose(misprint);
+        QVERIFY(session.variant() == before);
+        QVERIFY(session.microscope.tracedLine().variant == misprint);
+        QCOMPARE(drawn.line(), std::size_t(0)); // and it is still the drawing's line
+        drawn.go(1);
+        QCOMPARE(drawn.line(), std::size_t(1));
+        QVERIFY(session.microscope.tracedLine().variant == misprint);
+    }
     void linesGoRoundAndRound()
     {
         app::Session session;
