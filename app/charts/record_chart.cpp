@@ -81,12 +81,13 @@ QString testText(const Ranking& ranking, std::size_t thing)
                  .arg(numberText(test.ratio, 3), pText(test.p));
 }
 
-ChartRow recordRow(const Variant& variant, const Summary& times, double lowest)
+/// `ratio`: to the lowest, as in tables and sentences: the median over the runs.
+ChartRow recordRow(const Variant& variant, const Summary& times, double lowest, double ratio)
 {
     ChartRow row = rowFor(variant);
     row.value = nanosecondsText(times.median);
     row.figures = {Bar{{times.median / lowest}, relative(times.confidence, lowest)}};
-    row.numbers = {ratioText(times.median / lowest)};
+    row.numbers = {ratioText(ratio)};
     row.detail = detailOf(variant, times);
     return row;
 }
@@ -152,7 +153,8 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
                 .reference = 1,
                 .notes = groupNotes(ranking)};
     for (const std::size_t i : order) {
-        chart.rows.push_back(recordRow(record.timings[i].variant, times[i], times[one].median));
+        chart.rows.push_back(recordRow(record.timings[i].variant, times[i], times[one].median,
+                                       ranking.pairs[i][one].ratio));
         chart.rows.back().detail += testText(ranking, i);
         if (paper && comparable(record, record.timings[i], *paper))
             compare(chart.rows.back(), *paper);

@@ -9,6 +9,8 @@
 #include "app/lessons/lesson_files.h"
 #include "app/lessons/lesson_page.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 
 namespace app {
@@ -34,12 +36,25 @@ void checkLessons(const ParsedArguments& arguments)
         throw CheckFailed{};
 }
 
-/// A lesson of the program by its key, or of a file.
+QString lessonKeys()
+{
+    QStringList keys;
+    for (const Lesson& one : lessons())
+        keys << one.key;
+    return keys.join(Text::tr(", "));
+}
+
+/// A lesson of the program by its key, its title or its number in the list, or of a file.
 Lesson lessonToExport(const QString& name)
 {
-    for (const Lesson& lesson : lessons())
-        if (lesson.key == name)
-            return lesson;
+    const auto& all = lessons();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].key == name || all[i].title.compare(name, Qt::CaseInsensitive) == 0
+            || QString::number(i + 1) == name)
+            return all[i];
+    if (!QFileInfo::exists(name))
+        throw Failure{Text::tr("There is no lesson and no file “%1”. Give a file, or one of %2.")
+                          .arg(name, lessonKeys())};
     const auto files = readLessonFiles({name});
     for (const LessonFile& file : files)
         for (const QString& sentence : file.sentences())
@@ -88,9 +103,6 @@ void lesson(const ParsedArguments& arguments)
 
 Command lessonCommand()
 {
-    QStringList keys;
-    for (const Lesson& one : lessons())
-        keys << one.key;
     return {"lesson",
             "check FILE|FOLDER… | export LESSON [-o PAGE.html]",
             Text::tr("Checks lessons that you wrote, or writes a lesson as one web page that needs "
@@ -100,7 +112,7 @@ Command lessonCommand()
              {{"o", "output"},
               "FILE",
               Text::tr("Where to write the page (standard output). LESSON is a file or one of %1.")
-                  .arg(keys.join(Text::tr(", ")))}},
+                  .arg(lessonKeys())}},
             {"clearcut lesson check my-lessons/",
              "clearcut lesson export outcodes -o outcodes.html",
              "clearcut lesson export my-lessons/hexagons.md -o hexagons.html"},

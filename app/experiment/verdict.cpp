@@ -203,13 +203,20 @@ QStringList paperSentences(const Trial& trial)
                                  "algorithm is the fastest, if they are paired row by row: the "
                                  "lowest medians, of %1, do not differ significantly.")
                             .arg(briefListText(leaders)));
-    if (!otherLinesText(options).isEmpty())
-        sentences << Text::tr("The paper clipped other lines: %1 random lines. These are %2.")
-                         .arg(countText(trial.paper->lines), otherLinesText(options));
-    else if (options.lines != trial.paper->lines)
-        sentences << Text::tr("The paper clipped %1 lines, not %2.")
-                         .arg(countText(trial.paper->lines), countText(options.lines));
     return sentences;
+}
+
+/// That the paper clipped others; empty: it clipped the same.
+QString otherLinesSentence(const Trial& trial)
+{
+    const ExperimentOptions& options = trial.record.options;
+    if (!otherLinesText(options).isEmpty())
+        return Text::tr("The paper clipped other lines: %1 random lines. These are %2.")
+            .arg(countText(trial.paper->lines), otherLinesText(options));
+    return options.lines == trial.paper->lines
+               ? QString()
+               : Text::tr("The paper clipped %1 lines, not %2.")
+                     .arg(countText(trial.paper->lines), countText(options.lines));
 }
 
 QStringList lossSentences(const Record& record)
@@ -259,6 +266,9 @@ RankingCheck rankingCheck(const PaperTable& paper, const Record& record, const M
 QStringList verdict(const Trial& trial, std::span<const Measure> measures)
 {
     QStringList sentences;
+    if (const QString others = trial.paper ? otherLinesSentence(trial) : QString();
+        !others.isEmpty())
+        sentences << others;
     for (const Measure& measure : measures) {
         if (measure.key == u"draw")
             continue; // all variants leave the same lines to draw

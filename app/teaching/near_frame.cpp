@@ -2,6 +2,7 @@
 #include "app/teaching/near_frame.h"
 
 #include "app/base/finite.h"
+#include "app/comparison/variants.h"
 
 #include <glm/common.hpp>
 
@@ -22,6 +23,25 @@ bool isTinyIn(const FigureFrame& frame, const clipping::Segment& line)
     const Point way = glm::abs(line.b / 2.0 - line.a / 2.0);
     const Point shown = frame.seen.max / 2.0 - frame.seen.min / 2.0;
     return way.x < small * shown.x && way.y < small * shown.y;
+}
+
+/// The line, and what a wrong result shows beyond its box: as a diagonal of both together.
+clipping::Segment withResult(const TracedLine& tracedLine)
+{
+    const clipping::Segment& line = tracedLine.line;
+    if (!tracedLine.variant.algorithm || !tracedLine.corners.empty()
+        || !refusalOf(tracedLine).isEmpty())
+        return line;
+    const auto piece = clipped(tracedLine.variant, line, tracedLine.window);
+    if (!piece || !isFinite(piece->a) || !isFinite(piece->b))
+        return line;
+    const Point low = glm::min(line.a, line.b), high = glm::max(line.a, line.b);
+    const Point from = glm::min(low, glm::min(piece->a, piece->b));
+    const Point to = glm::max(high, glm::max(piece->a, piece->b));
+    constexpr double seen = 0.01; // of the line's box: less is rounding
+    const double most = seen * std::max(high.x - low.x, high.y - low.y);
+    const Point more = glm::max(low - from, to - high);
+    return std::max(more.x, more.y) > most ? clipping::Segment{from, to} : line;
 }
 
 } // namespace
@@ -47,8 +67,8 @@ FigureFrame nearFrame(const TracedLine& tracedLine, const QSizeF& size, const QF
 {
     FigureFrame frame = figureFrame(tracedLine, size, font);
     frame.hasScale = true;
-    if (isTinyIn(frame, tracedLine.line))
-        frame.seen = magnifying(tracedLine.line, size).value_or(frame.seen);
+    if (const clipping::Segment shown = withResult(tracedLine); isTinyIn(frame, shown))
+        frame.seen = magnifying(shown, size).value_or(frame.seen);
     return frame;
 }
 

@@ -11,7 +11,8 @@ namespace app {
 std::optional<clipping::Window> magnifying(const clipping::Segment& line, const QSizeF& picture);
 
 /// With a scale bar: figureFrame() if the line is of a good size in it. Otherwise the line is
-/// magnified; the edges that are far away then are drawn nearer (figure_edges.h).
+/// magnified, with a wrong result that lies beside it; the edges that are far away then are drawn
+/// nearer (figure_edges.h).
 FigureFrame nearFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font);
 
 } // namespace app

@@ -32,4 +32,28 @@ std::vector<Variable> stepVariables(const TracedLine& tracedLine, const Narratio
     return shown;
 }
 
+std::vector<Variable> allVariables(const TracedLine& tracedLine, const Narration& narration,
+                                   std::size_t step)
+{
+    if (step >= narration.steps.size())
+        return {};
+    std::vector<Variable> all = narration.steps[step].variables;
+    const auto& [line, window] = std::pair(tracedLine.line, tracedLine.window);
+    for (const auto& [name, value] : {std::pair{"x1", line.a.x},
+                                      {"y1", line.a.y},
+                                      {"x2", line.b.x},
+                                      {"y2", line.b.y},
+                                      {"xmin", window.min.x},
+                                      {"ymin", window.min.y},
+                                      {"xmax", window.max.x},
+                                      {"ymax", window.max.y}})
+        if (const QString given = QLatin1StringView(name);
+            !std::ranges::count(all, given, &Variable::name))
+            all.push_back({.name = given, .value = value, .before = value});
+    for (const Variable& variable : stepVariables(tracedLine, narration, step)) // "xi"
+        if (!std::ranges::count(all, variable.name, &Variable::name))
+            all.push_back(variable);
+    return all;
+}
+
 } // namespace app

@@ -11,4 +11,9 @@ namespace app {
 std::vector<Variable> stepVariables(const TracedLine& tracedLine, const Narration& narration,
                                     std::size_t step);
 
+/// The variables of the trace after a step and the coordinates that were given: those of the line
+/// and the window. Empty if the trace does not have the step.
+std::vector<Variable> allVariables(const TracedLine& tracedLine, const Narration& narration,
+                                   std::size_t step);
+
 } // namespace app

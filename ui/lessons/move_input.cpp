@@ -179,7 +179,9 @@ void MoveInput::showEdges(const app::Move& move)
 
 void MoveInput::showDecisions(const app::Move&)
 {
-    showChoices({Text::tr("Accept the line"), Text::tr("Reject the line"), Text::tr("Go on")}, 0);
+    showChoices(
+        {Text::tr("Accept the line"), Text::tr("Reject the line"), Text::tr("More to do first")},
+        0);
 }
 
 void MoveInput::showPlace(const app::Move&)

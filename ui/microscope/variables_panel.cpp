@@ -35,8 +35,7 @@ void VariablesPanel::show(const app::TracedLine& tracedLine, const app::Narratio
                           std::size_t step)
 {
     ofStep_ = app::stepVariables(tracedLine, narration, step);
-    all_ = step < narration.steps.size() ? narration.steps[step].variables
-                                         : std::vector<app::Variable>{};
+    all_ = app::allVariables(tracedLine, narration, step);
     showTable();
 }
 

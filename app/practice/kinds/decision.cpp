@@ -55,8 +55,8 @@ std::optional<Move> makeDecision(const MoveContext& context)
         return std::nullopt;
     const Decision right = decisionAt(context);
     const int line = context.now().line;
-    Move move{.prompt = Text::tr("Line %1: “%2”. Is the line accepted or rejected now, or does the "
-                                 "algorithm go on?")
+    Move move{.prompt = Text::tr("Line %1: “%2”. What comes next: is the line accepted, is it "
+                                 "rejected, or is there more to do first?")
                             .arg(line)
                             .arg(context.codeText(line)),
               .brief = Text::tr("Decision at line %1").arg(line),
@@ -77,7 +77,7 @@ QString decisionText(const Move&, double answer, YAxis)
     case Decision::Reject:
         return Text::tr("reject");
     default:
-        return Text::tr("go on");
+        return Text::tr("more to do first");
     }
 }
 

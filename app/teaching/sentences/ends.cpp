@@ -2,6 +2,7 @@
 #include "app/teaching/sentences/ends.h"
 
 #include "app/base/text.h"
+#include "app/comparison/ulps.h"
 #include "app/overlays/half_plane.h"
 #include "app/teaching/sentences/words.h"
 #include "clipping/outcode.h"
@@ -139,6 +140,25 @@ QString held(const SentenceContext& context)
                    "Rounding has put no end outside the window, so both stay where they are.");
 }
 
+/// That the accepted part is not the one inside; empty if it is, but for what the algorithm's
+/// contract allows.
+static QString elsewhere(const SentenceContext& context)
+{
+    const auto piece = exactPiece(context.tracedLine);
+    const auto& traced = context.tracedLine;
+    if (!isPublished(context) || !piece)
+        return {};
+    const clipping::Segment& left = context.step.segment;
+    const double allowed = traced.variant.algorithm->ulps * ulpFor(traced.line, traced.window);
+    const QString from = point(piece->a), to = point(piece->b);
+    const bool looksSame = (from == point(left.a) && to == point(left.b))
+                           || (from == point(left.b) && to == point(left.a));
+    if (looksSame || !(endsApart(*piece, left, Ends::EitherWay) > allowed))
+        return {};
+    return QStringLiteral(" ")
+           + Text::tr("That is wrong: what lies inside runs from %1 to %2.").arg(from, to);
+}
+
 QString acceptedIfInside(const SentenceContext& context)
 {
     for (const int end : {1, 2})
@@ -157,7 +177,7 @@ QString acceptedIfInside(const SentenceContext& context)
         return accepted(context) + QStringLiteral(" ")
                + Text::tr(
                    "That is wrong: the line misses the window by less than a rounding error.");
-    return accepted(context);
+    return accepted(context) + elsewhere(context);
 }
 
 QString lost(const SentenceContext& context)

@@ -41,7 +41,12 @@ private slots:
         QCOMPARE(printed.code, 0);
         QVERIFY(printed.out.startsWith("<!DOCTYPE html>") && printed.out.size() < 300'000);
         QCOMPARE(contentOf(page), printed.out);
-        QCOMPARE(clearcut({"lesson", "export", "nothing"}).code, 1);
+        const auto none = clearcut({"lesson", "export", "nothing"});
+        QCOMPARE(none.code, 1);
+        QVERIFY2(none.err.contains("or one of why-clip, outcodes, "), none.err);
+        for (const char* name : {"2", "outcodes"})
+            QCOMPARE(clearcut({"lesson", "export", name}).out,
+                     clearcut({"lesson", "export", "outcodes"}).out);
         QCOMPARE(clearcut({"lesson", "export", "outcodes", "-o", "/nowhere/x.html"}).code, 1);
         QCOMPARE(clearcut({"lesson", "play", "outcodes"}).code, 2);
         QCOMPARE(clearcut({"lesson", "check"}).code, 2);

@@ -143,6 +143,8 @@ private slots:
         QCOMPARE(run.code, 0);
         QVERIFY(run.out.startsWith("MD with Step 2 as printed\n"));
         QVERIFY2(run.out.contains("This is the misprint: as meant, run = 181.346."), run.out);
+        QVERIFY2(run.out.contains("That is wrong: what lies inside runs from (−100, −62.1739) to "),
+                 run.out);
         const auto json =
             clearcut({"trace", "-a", "md-step-2", "--line", "-160,-130,70,130", "-f", "json"});
         QVERIFY(json.out.contains("\"algorithm\": \"md-step-2\""));

@@ -318,7 +318,7 @@ private slots:
         auto other = study->trials[1];
         other.record.options.scene = *app::findTestScene(u"long");
         QCOMPARE(app::nameOf(other), "Table 1, corrected, with lines of the scene “Long”");
-        QVERIFY(app::verdict(other, clipOnly()).back().contains("other lines"));
+        QVERIFY(app::verdict(other, clipOnly()).front().contains("other lines"));
         std::set<QString> keys;
         for (const auto& table : app::tablesOf(*study)) {
             QVERIFY2(keys.insert(table.key).second, qPrintable(table.key + " is there twice"));

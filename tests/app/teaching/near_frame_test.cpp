@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/finite.h"
+#include "app/comparison/variants.h"
 #include "app/teaching/near_frame.h"
 
 #include <QGuiApplication>
@@ -45,6 +46,21 @@ class NearFrameTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A misprint moves an end of a short line far beyond the line.
+    void aWrongResultIsInSight()
+    {
+        TracedLine wrong = traced({{40, 70}, {44, 79}});
+        const FigureFrame right = nearFrame(wrong, stage, bodyFont());
+        wrong.variant = *findVariant("md-step-2");
+        const auto piece = *clipped(wrong.variant, wrong.line, wrong.window);
+        const FigureFrame frame = nearFrame(wrong, stage, bodyFont());
+        const QRectF picture(QPointF(), stage);
+        QVERIFY(!picture.contains(right.at(piece.b)));
+        QVERIFY(picture.contains(frame.at(piece.a)) && picture.contains(frame.at(piece.b)));
+        wrong.variant = *findVariant("matthes-drakopoulos");
+        QVERIFY(nearFrame(wrong, stage, bodyFont()).seen == right.seen);
+    }
+
     void theBoxFillsOneOfBothSides()
     {
         std::mt19937_64 random(9);

@@ -60,8 +60,13 @@ private slots:
                 QCOMPARE(std::size_t(std::ranges::count_if(shown, &Variable::changed)),
                          std::min<std::size_t>(
                              6, std::size_t(std::ranges::count_if(all, &Variable::changed))));
-                for (const Variable& one : shown)
+                const auto every = allVariables(traced, narration, i);
+                for (const Variable& one : shown) {
                     QCOMPARE(std::ranges::count(shown, one.name, &Variable::name), 1);
+                    QCOMPARE(std::ranges::count(every, one.name, &Variable::name), 1);
+                }
+                for (const char* given : {"x1", "y2", "xmin", "ymax"})
+                    QCOMPARE(std::ranges::count(every, QString(given), &Variable::name), 1);
             }
             QVERIFY(stepVariables(traced, narration, narration.steps.size()).empty());
         }
