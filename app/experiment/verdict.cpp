@@ -190,7 +190,6 @@ QString rankingSentence(const Trial& trial, const RankedResults& told)
 /// What our tests find in the paper's own runs, and whether its lines were different.
 QStringList paperSentences(const Trial& trial)
 {
-    const ExperimentOptions& options = trial.record.options;
     QStringList sentences;
     QStringList leaders;
     for (const std::size_t i : rankingOf(*trial.paper).leaders())

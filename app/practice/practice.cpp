@@ -88,7 +88,7 @@ std::size_t Practice::stepsShown() const
     return next < moves_.size() ? moves_[next].step : std::size_t(-1);
 }
 
-/// Shows the attempt's line, covered as far as needed.
+/// Shows the attempt's line, covered as far as needed, at the step of the move if it is settled.
 void Practice::show()
 {
     {
@@ -97,6 +97,8 @@ void Practice::show()
         const std::size_t shown = atEnd() ? last : stepsShown();
         shown == last ? microscope_.open(traced_, last)
                       : microscope_.openCovered(traced_, shown, Sentences::Plain);
+        if (!atEnd() && answers_[index_].settled()) // the answer is about this one
+            microscope_.goTo(moves_[index_].step);
     }
     emit changed();
 }

@@ -175,6 +175,8 @@ private slots:
                     practice.showAnswer();
                     QVERIFY(practice.verdict().contains(right));
                     QVERIFY(!practice.isOpen() && practice.rightAtOnce() == 0);
+                    QCOMPARE(microscope.step(), // of two moves at one step the first is settled
+                             std::min(move.step, microscope.narration().steps.size() - 1));
                 }
                 QVERIFY(!microscope.isCovered() && !practice.isPassed());
                 QCOMPARE(practice.wrongMoves().size(), practice.moves().size());
