@@ -187,22 +187,20 @@ QString rankingSentence(const Trial& trial, const RankedResults& told)
         .arg(here, own, countText(check.same), pairs, undecided);
 }
 
-/// What our tests find in the paper's own runs, and whether its lines were different.
-QStringList paperSentences(const Trial& trial)
+/// What our tests find in the paper's own runs.
+QString paperSentence(const Trial& trial)
 {
-    QStringList sentences;
     QStringList leaders;
     for (const std::size_t i : rankingOf(*trial.paper).leaders())
         leaders << shortNameOf({trial.paper->columns[i].algorithm, clipping::Form::Corrected});
-    sentences << (leaders.size() == 1
-                      ? Text::tr("By the same tests, the fastest algorithm in the paper's own runs "
-                                 "is %1, if they are paired row by row.")
-                            .arg(leaders.front())
-                      : Text::tr("By the same tests, the paper's own runs do not tell which "
-                                 "algorithm is the fastest, if they are paired row by row: the "
-                                 "lowest medians, of %1, do not differ significantly.")
-                            .arg(briefListText(leaders)));
-    return sentences;
+    return leaders.size() == 1
+               ? Text::tr("By the same tests, the fastest algorithm in the paper's own runs is %1, "
+                          "if they are paired row by row.")
+                     .arg(leaders.front())
+               : Text::tr("By the same tests, the paper's own runs do not tell which algorithm is "
+                          "the fastest, if they are paired row by row: the lowest medians, of %1, "
+                          "do not differ significantly.")
+                     .arg(briefListText(leaders));
 }
 
 /// That the paper clipped others; empty: it clipped the same.
@@ -280,7 +278,7 @@ QStringList verdict(const Trial& trial, std::span<const Measure> measures)
     if (const QString batches = batchText(trial.record); !batches.isEmpty())
         further.prepend(batches);
     if (trial.paper)
-        further << paperSentences(trial);
+        further << paperSentence(trial);
     return sentences << further.join(u' ');
 }
 
