@@ -7,7 +7,7 @@
 
 #include "app/base/text.h"
 #include "app/comparison/misprints/misprint.h"
-#include "clipping/describe.h"
+#include "app/comparison/misprints/uses.h"
 
 namespace app {
 namespace {
@@ -172,12 +172,10 @@ struct PrintedStep2 : Reading {
 template <class Reading>
 Misprint printed(const QString& key, const QString& name, const QString& whatIsWrong)
 {
-    using Method = PrintedStep2<Reading>;
-    static constexpr auto uses = clipping::uses<Method, clipping::Form::Published>;
     const auto* meant = clipping::findAlgorithm("matthes-drakopoulos");
     Misprint misprint{key, name, unbroken(whatIsWrong), meant, *meant};
-    misprint.row.published = &uses;
-    misprint.row.publishedCode = clipping::codeBeside<Method, clipping::Form::Published>();
+    misprint.row.published = &MisprintUses<PrintedStep2<Reading>>::all;
+    misprint.row.publishedCode = Reading::publishedCode.substr(1); // without its first line feed
     return misprint;
 }
 
