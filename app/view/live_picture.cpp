@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -203,6 +204,14 @@ bool LivePicture::showsParts() const
     return parts_ && next && !frame_.made && (!isOnlyCut || frame_.drawMs > longWait);
 }
 
+/// Whether the pixels of a rectangle have coordinates that are far from overflowing.
+static bool isNear(const QRectF& r, double ratio)
+{
+    constexpr double most = 1 << 24;
+    return std::max({-r.left(), r.right(), -r.top(), r.bottom()}) * ratio < most
+           && std::min({-r.left(), r.right(), -r.top(), r.bottom()}) * ratio > -most;
+}
+
 void LivePicture::paint(QPainter& painter) const
 {
     const double ratio = wish_.key.pixelRatio;
@@ -219,8 +228,11 @@ void LivePicture::paint(QPainter& painter) const
         const QRectF place = placeOf(key);
         const double scale = place.height() / key.pixels.height();
         for (const auto& [band, image] : parts_->bands()) {
-            const QRect at = inPixels(
-                {place.left(), place.top() + band.top * scale, place.width(), band.height * scale});
+            const QRectF where(place.left(), place.top() + band.top * scale, place.width(),
+                               band.height * scale);
+            if (!isNear(where, ratio)) // the view has gone far since the band was painted
+                continue;
+            const QRect at = inPixels(where);
             painter.drawImage(inPoints(at), image);
             rest -= at;
         }
