@@ -125,6 +125,15 @@ void StepPlayer::finish(bool wholly)
     emit ended(wholly);
 }
 
+/// Whether a widget is the bar, or on it. It asks the widgets, not `bar_`: while the bar is being
+/// deleted with its window, it is no ShowBar any more.
+static bool isOfBar(const QWidget* widget)
+{
+    while (widget && !qobject_cast<const ShowBar*>(widget))
+        widget = widget->parentWidget();
+    return widget != nullptr;
+}
+
 /// Everything that the mouse and the keyboard do in the window, but not on the bar.
 bool StepPlayer::eventFilter(QObject* watched, QEvent* event)
 {
@@ -134,8 +143,7 @@ bool StepPlayer::eventFilter(QObject* watched, QEvent* event)
     }
     const auto* widget = qobject_cast<const QWidget*>(watched);
     const bool isOfWindow = widget && (widget == &window_ || window_.isAncestorOf(widget));
-    const bool isOfBar = bar_ && (bar_ == widget || bar_->isAncestorOf(widget));
-    if (!playing_ || acts_ || !isOfWindow || isOfBar)
+    if (!playing_ || acts_ || !isOfWindow || isOfBar(widget))
         return false;
     switch (event->type()) {
     case QEvent::MouseButtonPress:
