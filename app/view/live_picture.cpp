@@ -204,8 +204,8 @@ bool LivePicture::showsParts() const
     return parts_ && next && !frame_.made && (!isOnlyCut || frame_.drawMs > longWait);
 }
 
-/// Whether the pixels of a rectangle have coordinates that are far from overflowing.
-static bool isNear(const QRectF& r, double ratio)
+/// Whether the pixels of a rectangle have coordinates, far from overflowing.
+static bool hasPixels(const QRectF& r, double ratio)
 {
     constexpr double most = 1 << 24;
     return std::max({-r.left(), r.right(), -r.top(), r.bottom()}) * ratio < most
@@ -230,7 +230,7 @@ void LivePicture::paint(QPainter& painter) const
         for (const auto& [band, image] : parts_->bands()) {
             const QRectF where(place.left(), place.top() + band.top * scale, place.width(),
                                band.height * scale);
-            if (!isNear(where, ratio)) // the view has gone far since the band was painted
+            if (!hasPixels(where, ratio)) // the view has gone far since the band was painted
                 continue;
             const QRect at = inPixels(where);
             painter.drawImage(inPoints(at), image);
