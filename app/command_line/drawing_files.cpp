@@ -367,7 +367,8 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
                              .arg(QLatin1StringView(output.format->key))};
     output.options.projection = projectionOf(arguments);
     const Format& inputFormat = readFormatOf(arguments, input);
-    refuseProjection(arguments, {output.format, &inputFormat});
+    if (input == standardStream || QFileInfo::exists(input)) // or reading says what is wrong
+        refuseProjection(arguments, {output.format, &inputFormat});
     refuseKeptClipPaths(arguments, {output.format, &inputFormat});
     output.options.plain = arguments.has(QStringLiteral("plain"));
     if (output.options.plain && !output.format->takes.plain)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/lesson_places.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 
@@ -28,7 +29,7 @@ void keepLessonPlaces(QSettings& settings, const QStringList& paths)
 {
     QStringList all = lessonPlaces(settings);
     for (const QString& path : paths) {
-        const QString whole = QFileInfo(path).absoluteFilePath();
+        const QString whole = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
         all.removeAll(whole);
         all << whole;
     }

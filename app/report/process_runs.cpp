@@ -28,6 +28,7 @@ QJsonObject jsonOf(const Trial& trial, const Timing& timing)
     return {{"paper", keyOf(trial.paper)},
             {"variant", keyOf(timing.variant)},
             {"target", trial.record.target},
+            {"lines", QString::number(trial.record.options.lines)},
             {"generate", timing.generate.front()},
             {"clip", timing.clip.front()},
             {"draw", timing.draw.front()},
@@ -103,7 +104,8 @@ bool addRun(const Plan& plan, std::vector<Record>& records, const QJsonArray& ru
                 return one[QLatin1StringView("paper")] == paper
                        && one[QLatin1StringView("variant")] == variant;
             });
-            if (found == run.end())
+            const QString lines = QString::number(plan.trials[i].options.lines);
+            if (found == run.end() || (*found)[QLatin1StringView("lines")] != lines)
                 return false;
             records[i].target = (*found)[QLatin1StringView("target")].toString();
             addRun(timing, found->toObject());
@@ -186,6 +188,8 @@ Result<std::vector<Record>> recordsInProcesses(const Plan& plan, const RunProgra
     const std::size_t runs = plan.trials.empty() ? 0 : plan.trials.front().options.runs;
     TurnProgress turns(follower, double(runs));
     for (std::size_t run = 0; run < runs; ++run) {
+        if (turns.stopped())
+            return Records::of({});
         const auto timings = measuredRun(program, run, follower);
         if (!timings)
             return Records::failure(timings.error);
@@ -202,6 +206,9 @@ Result<std::vector<Record>> recordsInProcesses(const Plan& plan, const RunProgra
 Result<Study> studyInProcesses(const Plan& plan, const QString& program, const Follower& follower)
 {
     const QTemporaryDir folder;
+    if (!folder.isValid())
+        return Result<Study>::failure(
+            Text::tr("No folder for temporary files could be made: %1").arg(folder.errorString()));
     auto words = wordsFor(plan, folder.path());
     if (!words)
         return Result<Study>::failure(words.error);

@@ -96,10 +96,14 @@ void addScene(Words& words, const ExperimentOptions& options)
         words.add("order", latin(nameOf(options.order).key));
 }
 
-void addHow(Words& words, const Trial& trial)
+void addHow(Words& words, const Study& study)
 {
+    const Trial& trial = study.trials.front();
     const ExperimentOptions& options = trial.record.options;
-    words.add("lines", options.lines, trial.paper ? trial.paper->lines : 0);
+    const bool areThePapers = std::ranges::all_of(study.trials, [](const Trial& one) {
+        return one.paper && one.record.options.lines == one.paper->lines;
+    });
+    words.add("lines", options.lines, areThePapers ? options.lines : 0);
     words.add("runs", options.runs, usualRounds(trial.record.timings.size()));
     words.add("warmup", options.warmUps, 1);
     if (options.inProcesses)
@@ -136,7 +140,7 @@ QStringList wordsToRepeat(const Study& study)
     if (!first.paper)
         addAlgorithms(words, first.record);
     addScene(words, first.record.options);
-    addHow(words, first);
+    addHow(words, study);
     addMeasures(words, study);
     return words.all();
 }

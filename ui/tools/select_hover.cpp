@@ -80,8 +80,8 @@ QCursor SelectHover::cursor(const app::Session& session) const
         return cursorOf(*window);
     if (mark != Mark::None)
         return Qt::PointingHandCursor;
-    if (box)
-        return cursorOf(*box, app::selectionFrame(session)->angle);
+    if (const auto frame = app::selectionFrame(session); box && frame) // it may have been removed
+        return cursorOf(*box, frame->angle);
     return guide || end ? Qt::SizeAllCursor : Qt::ArrowCursor;
 }
 

@@ -12,6 +12,11 @@ namespace {
 
 using Pair = std::pair<clipping::Edge, clipping::Edge>;
 
+bool isCorner(const Point& p, const clipping::Window& w)
+{
+    return (p.x == w.min.x || p.x == w.max.x) && (p.y == w.min.y || p.y == w.max.y);
+}
+
 /// "ask edges": at which two edges the window cuts the line. Wrong choices have one of them, too,
 /// as far as there are such.
 std::optional<Question> askEdges(const TracedLine& tracedLine, const Narration&, std::size_t,
@@ -30,7 +35,8 @@ std::optional<Question> askEdges(const TracedLine& tracedLine, const Narration&,
     const Edge in = edgeAt(inside->a, tracedLine.window),
                out = edgeAt(inside->b, tracedLine.window);
     const auto right = std::ranges::find(pairs, Pair{std::min(in, out), std::max(in, out)});
-    if (right == pairs.end()) // through a corner
+    if (right == pairs.end() || isCorner(inside->a, tracedLine.window)
+        || isCorner(inside->b, tracedLine.window)) // two answers are right
         return std::nullopt;
     const auto words = [&](const Pair& pair) {
         return Text::tr("%1 and %2")

@@ -47,9 +47,10 @@ QString number(double value)
 
 QString compared(double one, double other)
 {
-    const QString sign = one < other   ? QStringLiteral("<")
-                         : one > other ? QStringLiteral(">")
-                                       : QStringLiteral("=");
+    const QString sign = one < other    ? QStringLiteral("<")
+                         : one > other  ? QStringLiteral(">")
+                         : one == other ? QStringLiteral("=")
+                                        : QStringLiteral("≠"); // NaN
     const bool alike = one != other && shortText(one) == shortText(other);
     return QStringLiteral("%1 %2 %3")
         .arg(alike ? exactText(one) : number(one), sign, alike ? exactText(other) : number(other));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/choice.h"
 #include "app/report/process_runs.h"
+#include "app/report/repeat.h"
 
 #include <QTest>
 
@@ -78,6 +79,44 @@ private slots:
                 QVERIFY(std::ranges::all_of(a.clip, [](double t) { return t > 0; }));
             }
         }
+    }
+
+    /// The number of the first table's lines, of both tables.
+    void theWordsSayTheLinesOfEveryTrial()
+    {
+        Choice choice = choiceOf("all");
+        const auto wordsOf = [](const Choice& chosen) {
+            const Plan plan = *planOf(chosen).value;
+            Study study{measures(), {}};
+            for (const PlannedTrial& trial : plan.trials) {
+                Record record{trial.options, {}, {}, {}};
+                for (const Variant& variant : trial.variants)
+                    record.timings.push_back(
+                        {.variant = variant, .generate = {}, .clip = {}, .draw = {}});
+                study.trials.push_back({trial.paper, std::move(record)});
+            }
+            return wordsToRepeat(study);
+        };
+        choice.lines = 1'000'000;
+        QVERIFY(wordsOf(choice).contains("--lines=1000000"));
+        choice.lines.reset();
+        QVERIFY(wordsOf(choice).filter("--lines").isEmpty());
+    }
+
+    void manyShortRunsAreStopped()
+    {
+        Choice choice = choiceOf("paper");
+        choice.lines = 100;
+        choice.runs = mostRuns; // of milliseconds
+        std::stop_source stop;
+        std::size_t turns = 0;
+        const auto none = studyInProcesses(*planOf(choice).value, CLEARCUT_BINARY,
+                                           {stop.get_token(), [&](const Progress&) {
+                                                if (++turns == 3)
+                                                    stop.request_stop();
+                                            }});
+        QVERIFY(!none && none.error.isEmpty());
+        QCOMPARE(turns, std::size_t(3));
     }
 
     void aStoppedStudyIsNoError()
