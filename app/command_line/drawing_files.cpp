@@ -140,8 +140,10 @@ ReadOptions readOptionsOf(const ParsedArguments& arguments)
 const Format& readFormatOf(const ParsedArguments& arguments, const QString& path)
 {
     const bool there = QFileInfo::exists(path) && !QFileInfo(path).isDir();
-    if (path != standardStream && !there)
-        return formats()[0];
+    if (path != standardStream && !there) {
+        const Format* const named = formatToRead(path);
+        return named && named->read ? *named : formats()[0];
+    }
     const Format& format =
         drawingFormat(arguments, QStringLiteral("from"), path, &Format::read, formatToRead(path));
     if (unitOf(arguments) && !format.takes.unit)
@@ -367,8 +369,7 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
                              .arg(QLatin1StringView(output.format->key))};
     output.options.projection = projectionOf(arguments);
     const Format& inputFormat = readFormatOf(arguments, input);
-    if (input == standardStream || QFileInfo::exists(input)) // or reading says what is wrong
-        refuseProjection(arguments, {output.format, &inputFormat});
+    refuseProjection(arguments, {output.format, &inputFormat});
     refuseKeptClipPaths(arguments, {output.format, &inputFormat});
     output.options.plain = arguments.has(QStringLiteral("plain"));
     if (output.options.plain && !output.format->takes.plain)

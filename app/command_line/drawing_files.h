@@ -26,7 +26,7 @@ QStringList readingLimits();
 QStringList readingAndWritingLimits();
 
 /// The type of a command's input, as --from or its name says; throws WrongUsage. For a file that is
-/// not there it is any type, because reading it says so.
+/// not there it is that of its name, or any, because reading it says so.
 const Format& readFormatOf(const ParsedArguments& arguments, const QString& path);
 
 /// Reads the drawing in the file `path`, whose type its name shows; throws Failure.

@@ -27,7 +27,7 @@ Variant variantOf(const Misprint& misprint);
 /// The row of a variant's algorithm; of a known misprint, a row of its own, whose published form it
 /// is.
 const clipping::Algorithm& rowOf(const Variant& variant);
-/// What clips, counts and traces. Not null: only forms that exist are variants.
+/// The functions by which the variant clips, counts operations and traces.
 const clipping::Functions<clipping::Segment, clipping::Window>& functionsOf(const Variant& variant);
 
 /// As in `clipping::Functions`.

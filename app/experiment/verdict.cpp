@@ -187,7 +187,7 @@ QString rankingSentence(const Trial& trial, const RankedResults& told)
         .arg(here, own, countText(check.same), pairs, undecided);
 }
 
-/// What our tests find in the paper's own runs.
+/// Which algorithm is the fastest by the times that the paper printed, tested as ours are.
 QString paperSentence(const Trial& trial)
 {
     QStringList leaders;
@@ -203,7 +203,7 @@ QString paperSentence(const Trial& trial)
                      .arg(briefListText(leaders));
 }
 
-/// That the paper clipped others; empty: it clipped the same.
+/// Which lines the paper clipped instead; empty: the same.
 QString otherLinesSentence(const Trial& trial)
 {
     const ExperimentOptions& options = trial.record.options;

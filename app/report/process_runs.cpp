@@ -4,6 +4,7 @@
 #include "app/base/number.h"
 #include "app/base/replace_file.h"
 #include "app/base/text.h"
+#include "app/base/write_all.h"
 #include "app/comparison/variants.h"
 #include "app/experiment/circumstances.h"
 #include "app/report/repeat.h"
@@ -20,23 +21,17 @@ namespace {
 
 QString keyOf(const std::optional<PaperTable>& paper) { return paper ? paper->key : QString(); }
 
-/// The numbers of a timing in a run, and what it is of: two plans may list the same in another
-/// order.
+/// A timing of one run. It names its table, variant and number of lines, by which it is found
+/// again: the plan of the other process may list the variants in another order.
 QJsonObject jsonOf(const Trial& trial, const Timing& timing)
 {
     const auto whole = [](std::uint64_t number) { return QString::number(number); };
-    return {{"paper", keyOf(trial.paper)},
-            {"variant", keyOf(timing.variant)},
-            {"target", trial.record.target},
-            {"lines", QString::number(trial.record.options.lines)},
-            {"generate", timing.generate.front()},
-            {"clip", timing.clip.front()},
-            {"draw", timing.draw.front()},
-            {"visible", whole(timing.visible.front())},
-            {"lost", whole(timing.found.lost)},
-            {"shown", whole(timing.found.shown)},
-            {"found", whole(timing.found.visible)},
-            {"checksum", whole(timing.found.checksum)},
+    return {{"paper", keyOf(trial.paper)},          {"variant", keyOf(timing.variant)},
+            {"target", trial.record.target},        {"lines", whole(trial.record.options.lines)},
+            {"generate", timing.generate.front()},  {"clip", timing.clip.front()},
+            {"draw", timing.draw.front()},          {"visible", whole(timing.visible.front())},
+            {"lost", whole(timing.found.lost)},     {"shown", whole(timing.found.shown)},
+            {"found", whole(timing.found.visible)}, {"checksum", whole(timing.found.checksum)},
             {"pixels", whole(timing.pixels)}};
 }
 
@@ -113,19 +108,30 @@ bool addRun(const Plan& plan, std::vector<Record>& records, const QJsonArray& ru
     return true;
 }
 
-/// The lines of a scene as a file of coordinates, x1,y1,x2,y2.
-QByteArray linesOf(const TestScene& scene, const Field& field)
+/// Writes the lines of a scene as coordinates, x1,y1,x2,y2, a row for each; ends if it is stopped.
+void writeLines(QIODevice& out, const TestScene& scene, const Field& field,
+                const std::stop_token& stop)
 {
-    std::vector<clipping::Segment> lines(scene.lines);
-    scene.begin(field, 0)(lines);
-    QByteArray rows;
-    for (const auto& [a, b] : lines)
-        rows +=
-            QStringList{shortestText(a.x), shortestText(a.y), shortestText(b.x), shortestText(b.y)}
-                .join(u',')
-                .toLatin1()
-            + '\n';
-    return rows;
+    constexpr std::uint64_t atOnce = 10'000;
+    std::vector<clipping::Segment> lines;
+    std::string rows;
+    const LineSource next = scene.begin(field, 0);
+    for (std::uint64_t left = scene.lines; left > 0 && !stop.stop_requested();
+         left -= lines.size()) {
+        lines.resize(std::min(left, atOnce));
+        next(lines);
+        rows.clear();
+        for (const auto& [a, b] : lines) {
+            std::string_view before;
+            for (const double number : {a.x, a.y, b.x, b.y}) {
+                rows += before;
+                appendNumber(rows, number);
+                before = ",";
+            }
+            rows += '\n';
+        }
+        writeAll(out, rows);
+    }
 }
 
 } // namespace
@@ -151,25 +157,21 @@ QByteArray dataOfRun(const Study& study)
 
 namespace {
 
-/// The words that describe a plan. The lines of a drawing are in a file, in `folder`.
-Result<QStringList> wordsFor(const Plan& plan, const QString& folder)
+/// The words that describe a plan. The lines of a drawing are in a file, in `folder`. What draws is
+/// left to the other program: the best that works, as in a Choice.
+Result<QStringList> wordsFor(const Plan& plan, const QString& folder, const std::stop_token& stop)
 {
     Study study{plan.measures, {}};
     std::vector<Record> records = emptyRecords(plan);
-    for (std::size_t i = 0; i < records.size(); ++i) {
-        const PlannedTrial& trial = plan.trials[i];
-        if (const auto& target = trial.options.target)
-            records[i].target = target(trial.options.field)->name();
-        study.trials.push_back({trial.paper, std::move(records[i])});
-    }
+    for (std::size_t i = 0; i < records.size(); ++i)
+        study.trials.push_back({plan.trials[i].paper, std::move(records[i])});
     for (Trial& trial : study.trials) {
         TestScene& scene = trial.record.options.scene;
         if (scene.lines == 0)
             continue;
         const QString path = QDir(folder).filePath(QStringLiteral("lines.csv"));
-        const QByteArray lines = linesOf(scene, trial.record.options.field);
         if (const auto error = replaceFile(path, [&](QIODevice& out) {
-                out.write(lines);
+                writeLines(out, scene, trial.record.options.field, stop);
                 return std::optional<QString>();
             }))
             return Result<QStringList>::failure(*error);
@@ -209,7 +211,7 @@ Result<Study> studyInProcesses(const Plan& plan, const QString& program, const F
     if (!folder.isValid())
         return Result<Study>::failure(
             Text::tr("No folder for temporary files could be made: %1").arg(folder.errorString()));
-    auto words = wordsFor(plan, folder.path());
+    auto words = wordsFor(plan, folder.path(), follower.stop);
     if (!words)
         return Result<Study>::failure(words.error);
     Plan times = plan;

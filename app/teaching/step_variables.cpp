@@ -38,21 +38,19 @@ std::vector<Variable> allVariables(const TracedLine& tracedLine, const Narration
     if (step >= narration.steps.size())
         return {};
     std::vector<Variable> all = narration.steps[step].variables;
-    const auto& [line, window] = std::pair(tracedLine.line, tracedLine.window);
-    for (const auto& [name, value] : {std::pair{"x1", line.a.x},
-                                      {"y1", line.a.y},
-                                      {"x2", line.b.x},
-                                      {"y2", line.b.y},
-                                      {"xmin", window.min.x},
-                                      {"ymin", window.min.y},
-                                      {"xmax", window.max.x},
-                                      {"ymax", window.max.y}})
-        if (const QString given = QLatin1StringView(name);
-            !std::ranges::count(all, given, &Variable::name))
-            all.push_back({.name = given, .value = value, .before = value});
-    for (const Variable& variable : stepVariables(tracedLine, narration, step)) // "xi"
+    const auto add = [&all](const Variable& variable) {
         if (!std::ranges::count(all, variable.name, &Variable::name))
             all.push_back(variable);
+    };
+    const auto addGiven = [&](const char* name, double value) {
+        add({.name = QLatin1StringView(name), .value = value, .before = value});
+    };
+    const auto& [a, b] = tracedLine.line;
+    addGiven("x1", a.x), addGiven("y1", a.y), addGiven("x2", b.x), addGiven("y2", b.y);
+    if (const auto& [min, max] = tracedLine.window; tracedLine.corners.empty())
+        addGiven("xmin", min.x), addGiven("ymin", min.y), addGiven("xmax", max.x),
+            addGiven("ymax", max.y);
+    std::ranges::for_each(stepVariables(tracedLine, narration, step), add); // "xi"
     return all;
 }
 

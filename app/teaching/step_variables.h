@@ -12,7 +12,7 @@ std::vector<Variable> stepVariables(const TracedLine& tracedLine, const Narratio
                                     std::size_t step);
 
 /// The variables of the trace after a step and the coordinates that were given: those of the line
-/// and the window. Empty if the trace does not have the step.
+/// and of a rectangular window. Empty if the trace does not have the step.
 std::vector<Variable> allVariables(const TracedLine& tracedLine, const Narration& narration,
                                    std::size_t step);
 

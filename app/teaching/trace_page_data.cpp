@@ -38,8 +38,10 @@ QJsonObject kindsOf(const TracedLine& tracedLine)
     return kinds;
 }
 
-QJsonObject pageWords()
+/// A published form may be wrong, so the page only says what it returns.
+QJsonObject pageWords(clipping::Form form)
 {
+    const bool isRight = form == clipping::Form::Corrected;
     return {
         {"end", Text::tr("End %1")},
         {"handle", Text::tr("End %1: drag it, or move it by the arrow keys")},
@@ -50,9 +52,11 @@ QJsonObject pageWords()
         {"no", Text::tr("no")},
         {"does", Text::tr("Line %1: %2.")},
         {"now", Text::tr("Now %1.")},
-        {"accept", Text::tr("The remaining part, from %1 to %2, lies inside the window: it is "
-                            "visible.")},
-        {"reject", Text::tr("Nothing of the line is visible.")},
+        {"accept", isRight ? Text::tr("The remaining part, from %1 to %2, lies inside the window: "
+                                      "it is visible.")
+                           : Text::tr("The algorithm returns the part from %1 to %2.")},
+        {"reject", isRight ? Text::tr("Nothing of the line is visible.")
+                           : Text::tr("The algorithm returns nothing.")},
         {"moved", Text::tr("You moved an end, and the page itself runs the pseudo-code.")},
         {"back", Text::tr("Show the exported line")},
         {"variables", Text::tr("Variables")},
@@ -84,7 +88,7 @@ QByteArray dataHtml(const TraceExport& trace, const QSizeF& figureSize)
         {"size", QJsonArray{figureSize.width(), figureSize.height()}},
         {"visible", visible ? QJsonValue(coordinatesOf(visible->a, visible->b)) : QJsonValue()},
         {"kinds", kindsOf(tracedLine)},
-        {"words", pageWords()},
+        {"words", pageWords(tracedLine.variant.form)},
     };
     QByteArray json = QJsonDocument(data).toJson(QJsonDocument::Compact);
     json.replace('<', "\\u003c"); // no word ends the script

@@ -204,12 +204,14 @@ bool LivePicture::showsParts() const
     return parts_ && next && !frame_.made && (!isOnlyCut || frame_.drawMs > longWait);
 }
 
-/// Whether the pixels of a rectangle have coordinates, far from overflowing.
+/// Whether the device pixels of a rectangle have coordinates that an int holds.
 static bool hasPixels(const QRectF& r, double ratio)
 {
     constexpr double most = 1 << 24;
-    return std::max({-r.left(), r.right(), -r.top(), r.bottom()}) * ratio < most
-           && std::min({-r.left(), r.right(), -r.top(), r.bottom()}) * ratio > -most;
+    return std::max(
+               {std::abs(r.left()), std::abs(r.top()), std::abs(r.right()), std::abs(r.bottom())})
+               * ratio
+           < most;
 }
 
 void LivePicture::paint(QPainter& painter) const

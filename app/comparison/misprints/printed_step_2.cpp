@@ -27,29 +27,6 @@ QString unbroken(QString text)
 /// The formulas read the line that was given.
 struct Beside {
     static constexpr bool movesFirst = false; ///< an end before the formula is computed
-    static constexpr std::string_view publishedCode = R"(
-if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)  #besideX
-  reject  #rejectX
-if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)  #besideY
-  reject  #rejectY
-x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
-for i = 1, 2
-  if x[i] < xmin  #left
-    rise = (y2-y1)/(x2-x1) * (xmin-x1)  #riseToLeft
-    x[i] = xmin,  y[i] = rise + y1  #toLeft
-  else if x[i] > xmax  #right
-    rise = (y2-y1)/(x2-x1) * (xmax-x1)  #riseToRight
-    x[i] = xmax,  y[i] = rise + y1  #toRight
-  if y[i] < ymin  #bottom
-    run = (x2-x1)/(y2-y1) * (ymin-x1)  #runToBottom
-    y[i] = ymin,  x[i] = run + x1  #toBottom
-  else if y[i] > ymax  #top
-    run = (x2-x1)/(y2-y1) * (ymax-x1)  #runToTop
-    y[i] = ymax,  x[i] = run + x1  #toTop
-if (x[1] < xmin and x[2] < xmin) or (x[1] > xmax and x[2] > xmax)  #missed
-  reject  #reject
-accept the line from x[1], y[1] to x[2], y[2]  #accept
-)";
     /// The line that the formulas read, while the ends `now` are moved.
     template <class S>
     static constexpr const S& line(const S& given, const S&)
@@ -61,8 +38,26 @@ accept the line from x[1], y[1] to x[2], y[2]  #accept
 /// The formulas read ends that they have already moved.
 struct InPlace {
     static constexpr bool movesFirst = true;
-    static constexpr std::string_view publishedCode = R"(
-if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)  #besideX
+    template <class S>
+    static constexpr const S& line(const S&, const S& now)
+    {
+        return now;
+    }
+};
+
+/// The pseudo-code of the algorithm meant, with the formulas of the text.
+std::string codeBeside(std::string_view meant)
+{
+    std::string code(meant);
+    for (const auto& [right, printed] :
+         {std::pair{"(ymin-y1)", "(ymin-x1)"}, std::pair{"(ymax-y1)", "(ymax-x1)"}})
+        if (const auto at = code.find(right); at != code.npos)
+            code.replace(at, std::string_view(right).size(), printed);
+    return code;
+}
+
+constexpr std::string_view codeInPlace =
+    R"(if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)  #besideX
   reject  #rejectX
 if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)  #besideY
   reject  #rejectY
@@ -88,12 +83,6 @@ if (x[1] < xmin and x[2] < xmin) or (x[1] > xmax and x[2] > xmax)  #missed
   reject  #reject
 accept the line from x[1], y[1] to x[2], y[2]  #accept
 )";
-    template <class S>
-    static constexpr const S& line(const S&, const S& now)
-    {
-        return now;
-    }
-};
 
 /// Whether an axis alone rules the line out.
 template <class T>
@@ -108,35 +97,22 @@ struct MoveLabels {
 };
 
 template <class Reading>
-struct PrintedStep2 : Reading {
-    /// Moves end i of `now` to a vertical edge.
+struct PrintedStep2 {
+    /// Moves end i of `now` to an edge.
     template <class T, class Step>
-    static constexpr void toX(Step& step, const MoveLabels& labels, int i, T x, Edge edge,
-                              const BasicSegment<T>& given, BasicSegment<T>& now)
+    static constexpr void move(Step& step, const MoveLabels& labels, int i, T level, Edge edge,
+                               const BasicSegment<T>& given, BasicSegment<T>& now)
     {
+        const glm::length_t along = clipping::axisOf(edge), across = 1 - along;
         auto& end = i == 0 ? now.a : now.b;
-        end.x = x;
+        end[along] = level;
         if (Reading::movesFirst)
             step.cut(labels.first, i, end.x, end.y, edge);
         const auto& [a, b] = Reading::line(given, now);
-        const T rise =
-            step.let(labels.formula, "rise", (b.y - a.y) / (b.x - a.x) * (x - a.x), edge);
-        end.y = rise + a.y;
-        step.cut(labels.end, i, end.x, end.y, edge);
-    }
-    /// And to a horizontal one, as printed.
-    template <class T, class Step>
-    static constexpr void toY(Step& step, const MoveLabels& labels, int i, T y, Edge edge,
-                              const BasicSegment<T>& given, BasicSegment<T>& now)
-    {
-        auto& end = i == 0 ? now.a : now.b;
-        end.y = y;
-        if (Reading::movesFirst)
-            step.cut(labels.first, i, end.x, end.y, edge);
-        const auto& [a, b] = Reading::line(given, now);
-        const T run = // should be y - a.y
-            step.let(labels.formula, "run", (b.x - a.x) / (b.y - a.y) * (y - a.x), edge);
-        end.x = run + a.x;
+        const T way = // should be level - a[along]
+            step.let(labels.formula, along == 0 ? "rise" : "run",
+                     (b[across] - a[across]) / (b[along] - a[along]) * (level - a.x), edge);
+        end[across] = way + a[across];
         step.cut(labels.end, i, end.x, end.y, edge);
     }
 
@@ -153,14 +129,14 @@ struct PrintedStep2 : Reading {
             const auto& end = i == 0 ? now.a : now.b;
             step.set("i", i + 1);
             if (step.test("left", end.x < w.min.x, Edge::Left))
-                toX(step, {"atLeft", "riseToLeft", "toLeft"}, i, w.min.x, Edge::Left, s, now);
+                move(step, {"atLeft", "riseToLeft", "toLeft"}, i, w.min.x, Edge::Left, s, now);
             else if (step.test("right", end.x > w.max.x, Edge::Right))
-                toX(step, {"atRight", "riseToRight", "toRight"}, i, w.max.x, Edge::Right, s, now);
+                move(step, {"atRight", "riseToRight", "toRight"}, i, w.max.x, Edge::Right, s, now);
             if (step.test("bottom", end.y < w.min.y, Edge::Bottom))
-                toY(step, {"atBottom", "runToBottom", "toBottom"}, i, w.min.y, Edge::Bottom, s,
-                    now);
+                move(step, {"atBottom", "runToBottom", "toBottom"}, i, w.min.y, Edge::Bottom, s,
+                     now);
             else if (step.test("top", end.y > w.max.y, Edge::Top))
-                toY(step, {"atTop", "runToTop", "toTop"}, i, w.max.y, Edge::Top, s, now);
+                move(step, {"atTop", "runToTop", "toTop"}, i, w.max.y, Edge::Top, s, now);
         }
         if (step.test("missed", beyond(now.a.x, now.b.x, w.min.x, w.max.x), Edge::Left,
                       Edge::Right))
@@ -169,13 +145,15 @@ struct PrintedStep2 : Reading {
     }
 };
 
+const clipping::Algorithm& meant() { return *clipping::findAlgorithm("matthes-drakopoulos"); }
+
 template <class Reading>
-Misprint printed(const QString& key, const QString& name, const QString& whatIsWrong)
+Misprint printed(const QString& key, const QString& name, const QString& whatIsWrong,
+                 std::string_view code)
 {
-    const auto* meant = clipping::findAlgorithm("matthes-drakopoulos");
-    Misprint misprint{key, name, unbroken(whatIsWrong), meant, *meant};
+    Misprint misprint{key, name, unbroken(whatIsWrong), &meant(), meant()};
     misprint.row.published = &MisprintUses<PrintedStep2<Reading>>::all;
-    misprint.row.publishedCode = Reading::publishedCode.substr(1); // without its first line feed
+    misprint.row.publishedCode = code;
     return misprint;
 }
 
@@ -183,13 +161,15 @@ Misprint printed(const QString& key, const QString& name, const QString& whatIsW
 
 Misprint printedStep2()
 {
+    static const std::string code = codeBeside(meant().publishedCode);
     return printed<Beside>(
         QStringLiteral("md-step-2"), Text::tr("MD with Step 2 as printed"),
         Text::tr(
             "The text of the paper cuts at the window's edges ymin and ymax with (ymin − x1) and "
             "(ymax − x1). It should read (ymin − y1) and (ymax − y1), as in the pseudo-code: x = "
             "x1 + (x2 − x1)/(y2 − y1) · (ymin − y1). A line that crosses one of these edges is cut "
-            "at the wrong place, or kept although it misses the window."));
+            "at the wrong place, or kept although it misses the window."),
+        code);
 }
 
 Misprint printedStep2InPlace()
@@ -200,7 +180,8 @@ Misprint printedStep2InPlace()
             "Read literally, Step 2 also assigns new values to x1 and y1 before it computes with "
             "them. After x1 = xmin, the difference xmin − x1 is zero: y1 does not change, and a "
             "later formula may divide 0 by 0. The pseudo-code keeps the cut ends in separate "
-            "variables, x[i] and y[i]. It has (ymin − y1) where the text has (ymin − x1)."));
+            "variables, x[i] and y[i]. It has (ymin − y1) where the text has (ymin − x1)."),
+        codeInPlace);
 }
 
 } // namespace app

@@ -5,9 +5,9 @@
 
 namespace app {
 
-/// What a row of the catalogue has for one form, made of `Method::published(segment, window,
-/// step)`, which is written as those of the library are: for plain and counted numbers, and with
-/// each step told to `step` (clipping/trace.h).
+/// The functions of a published form, made from `Method::published(segment, window, step)`. As in
+/// the library this is a template: it runs with plain numbers, with numbers that count their
+/// operations, and with a recorder as `step` (clipping/trace.h).
 template <class Method>
 struct MisprintUses {
     using Segment = clipping::Segment;

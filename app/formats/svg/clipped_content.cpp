@@ -9,6 +9,17 @@
 #include <algorithm>
 
 namespace app::svg {
+namespace {
+
+KeptClips keptOf(const ClipAreas& areas)
+{
+    KeptClips clips;
+    for (const auto& area : areas)
+        clips.emplace_back(area, &area->windows);
+    return clips;
+}
+
+} // namespace
 
 void ClippedContent::open(Container container)
 {
@@ -34,14 +45,6 @@ void ClippedContent::add(Object object, const ClipAreas& around)
         moveTo(around);
     parts_.add(object);
     put(std::move(object));
-}
-
-KeptClips ClippedContent::keptOf(const ClipAreas& areas)
-{
-    KeptClips clips;
-    for (const auto& area : areas)
-        clips.emplace_back(area, &area->windows);
-    return clips;
 }
 
 // Into these areas, out of all others.

@@ -46,7 +46,6 @@ private:
         Objects objects{};
     };
 
-    static KeptClips keptOf(const ClipAreas& areas);
     void moveTo(const ClipAreas& areas);
     void put(Object object);
     void leave();

@@ -25,9 +25,6 @@ QString inCase(const QString& text, TextStyle::Case letterCase)
                                                   : text;
 }
 
-// Of the square of an East Asian letter, as its fonts have it (the baseline "ideo" of OpenType).
-constexpr double ideographicAscent = 0.88;
-
 // The recipe that makes the letters again, in the document's coordinates.
 Recipe textRecipe(const LaidLetters& letters, const LineFont& font, double capital,
                   const Matrix& matrix)
@@ -337,15 +334,12 @@ void TreeDrawer::addRun(const Place& place, const TextSpan& span, Texts& texts)
                 .startOffset = span.startOffset};
     if (span.vertical && span.path)
         report_.add(losses::property, "writing-mode");
-    const LineMeasures high = lineFonts_.measuresOf(run.font);
-    run.height = p.fontSize;
-    run.ascent = ideographicAscent * p.fontSize;
     auto baseline = p.alignment.empty() ? p.text.baseline : p.alignment;
     if (run.vertical && baseline.empty())
         baseline = "central"; // on which both upright and turned letters are centred
     run.lowered = -span.raised;
     if (!baseline.empty())
-        run.lowered += depthOfBaseline(baseline, high);
+        run.lowered += depthOfBaseline(baseline, lineFonts_.measuresOf(run.font));
     texts.runs.push_back(std::move(run));
     texts.places.push_back(place);
     texts.lines.push_back(span.lines);

@@ -30,6 +30,10 @@ bool isJoined(QChar letter)
            || script == QChar::Script_Devanagari || script == QChar::Script_Bengali;
 }
 
+// How much of the square of an East Asian letter is above the baseline, as its fonts have it (the
+// baseline "ideo" of OpenType). A side of the square is as long as the font's size.
+constexpr double ideographicAscent = 0.88;
+
 // Whether a letter stands upright in a vertical line, as those of East Asian scripts do (UTR 50,
 // roughly); the others are turned to the right.
 bool isUpright(QChar letter)
@@ -238,7 +242,7 @@ private:
     // How long a piece is in a vertical line.
     double heightOf(const Chunk& chunk, const Piece& piece) const
     {
-        return isUprightAt(chunk, piece) ? runAt(chunk.first + piece.first).height
+        return isUprightAt(chunk, piece) ? runAt(chunk.first + piece.first).font.size
                                          : piece.right - piece.left;
     }
 
@@ -255,7 +259,8 @@ private:
             const TextRun& run = runAt(chunk.first + piece.first);
             const double angle = piece.turn * std::numbers::pi / 180;
             const Matrix turned = turnedTo({}, {std::cos(angle), std::sin(angle)}, {});
-            const Matrix upright = translation(Point{-(piece.right - piece.left) / 2, run.ascent});
+            const Matrix upright = translation(
+                Point{-(piece.right - piece.left) / 2, ideographicAscent * run.font.size});
             const Matrix along = Matrix{0, 1, -1, 0, 0, 0} * translation({0, run.lowered});
             add(chunk, piece, line, stretch,
                 translation(pen_ + piece.shift) * (isUprightAt(chunk, piece) ? upright : along)

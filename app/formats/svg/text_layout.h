@@ -20,8 +20,6 @@ struct TextRun {
     TextStyle::Anchor anchor = TextStyle::Anchor::Start;
     bool rightToLeft = false;
     bool vertical = false;                  ///< from top to bottom
-    double height = 0;                      ///< of an upright letter in a vertical line
-    double ascent = 0;                      ///< how much of it is above the baseline
     double lowered = 0;                     ///< below the baseline, in user units
     std::shared_ptr<const PathWalk> path{}; ///< along which they stand; null: a straight line
     double startOffset = 0;                 ///< on that path

@@ -6,9 +6,7 @@
 #include <QBuffer>
 #include <QTest>
 
-#include "tests/app/formats/svg/text.h"
 #include "tests/test_class.h"
-#include "tests/verify.h"
 
 namespace formats_svg_kept_clip_paths_test {
 
@@ -20,13 +18,18 @@ const QByteArray ring = "<clipPath id='r' clip-path='url(#c)'><path clip-rule='e
 const QByteArray content = "<path id='p' d='M0 20L100 61' stroke='red' fill='none'/>"
                            "<path d='M20 20L90 25L90 50L20 50Z' fill='blue'/>";
 
-app::Imported read(const QByteArray& elements, bool keeps)
+app::Imported readAgain(QByteArray svg, bool keeps)
 {
-    QByteArray svg =
-        "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'>" + elements + "</svg>";
     QBuffer in(&svg);
     in.open(QIODevice::ReadOnly);
     return *app::svg::read(in, {.keepsClipPaths = keeps}).value;
+}
+
+app::Imported read(const QByteArray& elements, bool keeps)
+{
+    return readAgain("<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'>" + elements
+                         + "</svg>",
+                     keeps);
 }
 
 QByteArray written(const app::Document& document, int precision = -1)
@@ -35,13 +38,6 @@ QByteArray written(const app::Document& document, int precision = -1)
     out.open(QIODevice::WriteOnly);
     app::svg::write(document, out, {.precision = precision});
     return out.data();
-}
-
-app::Imported readAgain(QByteArray svg, bool keeps)
-{
-    QBuffer in(&svg);
-    in.open(QIODevice::ReadOnly);
-    return *app::svg::read(in, {.keepsClipPaths = keeps}).value;
 }
 
 } // namespace
