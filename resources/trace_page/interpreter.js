@@ -398,6 +398,16 @@ const interpret = (() => {
     }
   }
 
+  // A window without height or width is met in one point, whatever the rounding of its ends: the library's corrected
+  // forms, which hold their ends, return one.
+  function asOnePoint([x1, y1, x2, y2], line, [xmin, ymin, xmax, ymax]) {
+    const [, , bx, by] = line;
+    const crosses = (xmin === xmax && line[0] !== bx) || (ymin === ymax && line[1] !== by);
+    if (!crosses) return [x1, y1, x2, y2];
+    const isInside = bx >= xmin && bx <= xmax && by >= ymin && by <= ymax;
+    return isInside ? [x2, y2, x2, y2] : [x1, y1, x1, y1];
+  }
+
   return (code, line, window, kinds = {}) => {
     const run = new Run(programOf(code), line, window, kinds);
     run.before = line;
@@ -406,7 +416,9 @@ const interpret = (() => {
       if (!(end instanceof Ended)) throw end;
       outcome = end.outcome;
     }
-    return { outcome, visible: outcome === 'visible' ? run.left() : null, steps: run.steps, counts: run.counts };
+    let visible = outcome === 'visible' ? run.left() : null;
+    if (visible && code.some(text => /^ *hold /.test(text))) visible = asOnePoint(visible, line, window);
+    return { outcome, visible, steps: run.steps, counts: run.counts };
   };
 })();
 if (typeof module !== 'undefined') module.exports = interpret;

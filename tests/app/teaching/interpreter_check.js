@@ -6,7 +6,7 @@
 const [interpreter, file] = process.argv.slice(2);
 const interpret = require(interpreter);
 const forms = JSON.parse(require('fs').readFileSync(file, 'utf8'));
-const equal = (a, b) => a === b || (b === null && Number.isNaN(a));
+const equal = (a, b) => typeof b === 'string' ? String(a) === b : a === b; // JSON has no NaN and no Infinity
 let runs = 0;
 for (const { name, code, kinds, comparesLess, runs: all } of forms)
   for (const { line, window, outcome, visible, counts } of all) {

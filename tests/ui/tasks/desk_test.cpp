@@ -117,7 +117,7 @@ private slots:
     }
     void helpFound()
     {
-        checkDesk({key("F1"), key("Ctrl+K"), type("isometric"), key("Return")},
+        checkDesk({key("F1"), type("isometric"), key("Return")},
                   [](const DeskPlayer& player) {
                       const QString page = player.helpPage();
                       return page.contains("grid", Qt::CaseInsensitive) ? QString()
