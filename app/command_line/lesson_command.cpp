@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/replace_file.h"
 #include "app/base/text.h"
-#include "app/base/write_all.h"
 #include "app/command_line/command.h"
 #include "app/command_line/parsed_arguments.h"
 #include "app/command_line/terminal.h"
@@ -72,19 +70,16 @@ void exportLesson(const ParsedArguments& arguments)
     const QStringList names = lessonPaths(arguments);
     if (names.size() > 1)
         throw WrongUsage{Text::tr("The argument “%1” is one too many.").arg(names[1])};
-    const auto html = lessonHtml(lessonToExport(names.front()));
-    if (!html)
-        throw Failure{html.error};
+    const Lesson lesson = lessonToExport(names.front());
     const QString output = arguments.text(QStringLiteral("output")).value_or(QStringLiteral("-"));
-    if (output == u"-")
+    if (output == u"-") {
+        const auto html = lessonHtml(lesson);
+        if (!html)
+            throw Failure{html.error};
         return print(QString::fromUtf8(*html.value));
-    const auto error = replaceFile(output, [&](QIODevice& out) -> std::optional<QString> {
-        if (writeAll(out, {html.value->data(), std::size_t(html.value->size())}))
-            return std::nullopt;
-        return out.errorString() + u'.';
-    });
-    if (error)
-        throw Failure{Text::tr("Cannot write %1: %2").arg(output, *error)};
+    }
+    if (const auto error = writeLessonPage(lesson, output))
+        throw Failure{*error};
     say(Text::tr("Wrote %1").arg(output));
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/lesson_page.h"
 
+#include "app/base/replace_file.h"
 #include "app/base/text.h"
+#include "app/base/write_all.h"
 #include "app/lessons/lesson_page_parts.h"
 #include "app/lessons/markdown_html.h"
 #include "app/teaching/trace_page_parts.h"
@@ -134,6 +136,19 @@ Result<QByteArray> lessonHtml(const Lesson& lesson)
             about[i] += more[i];
     }
     return Result<QByteArray>::of(before + articlesHtml(pages, pictures, about) + after);
+}
+
+std::optional<QString> writeLessonPage(const Lesson& lesson, const QString& path)
+{
+    const auto html = lessonHtml(lesson);
+    if (!html)
+        return html.error;
+    const auto error = replaceFile(path, [&](QIODevice& out) -> std::optional<QString> {
+        if (writeAll(out, {html.value->data(), std::size_t(html.value->size())}))
+            return std::nullopt;
+        return out.errorString() + u'.';
+    });
+    return error ? std::optional(Text::tr("Cannot write %1: %2").arg(path, *error)) : std::nullopt;
 }
 
 } // namespace app

@@ -16,5 +16,7 @@ constexpr qsizetype mostLessonPageBytes = 300'000;
 /// by lot; it has as many of them as have room. Equal lessons give equal bytes. Fails if the lesson
 /// is too long for one page. Its look and its questions' script are in resources/lesson_page/.
 Result<QByteArray> lessonHtml(const Lesson& lesson);
+/// Writes it to a file, whole or not at all; what went wrong, in a sentence.
+std::optional<QString> writeLessonPage(const Lesson& lesson, const QString& path);
 
 } // namespace app

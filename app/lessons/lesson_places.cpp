@@ -40,7 +40,10 @@ void forgetLessonPlace(QSettings& settings, const QString& folder)
 {
     QStringList all = lessonPlaces(settings);
     all.removeIf([&](const QString& path) {
-        return path == folder || (!QFileInfo(path).isDir() && QFileInfo(path).path() == folder);
+        // Not a folder in it, which may only be away: on a medium that is not mounted.
+        return path == folder
+               || (path.endsWith(u".md", Qt::CaseInsensitive) && !QFileInfo(path).isDir()
+                   && QFileInfo(path).path() == folder);
     });
     settings.setValue(placesKey(), all);
 }

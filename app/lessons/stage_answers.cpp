@@ -33,7 +33,7 @@ QPointF discBeside(const QLineF& part, const QPointF& middle, const std::optiona
     if (QPointF::dotProduct(out, part.center() - middle) < 0)
         out = -out;
     const auto isFree = [&](const QPointF& disc) {
-        const QRectF box(disc - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+        const QRectF box = boxOfDisc(disc, frame);
         return frame.picture().contains(box) && !frame.reserved.intersects(box)
                && (!line || distance(disc, *line) > radius + gap);
     };
@@ -55,6 +55,12 @@ StageAnswer::State stateOf(int choice, const Course& course)
 }
 
 } // namespace
+
+QRectF boxOfDisc(const QPointF& middle, const FigureFrame& frame)
+{
+    const double radius = discSize / 2 * frame.unit();
+    return {middle - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius)};
+}
 
 std::vector<StageAnswer>
 answersBeside(std::span<const std::variant<clipping::Edge, clipping::Segment>> parts,

@@ -19,6 +19,7 @@ struct StageAnswer {
 
 /// The diameter of a disc in a figure of the usual type, in pixels.
 constexpr double discSize = 30;
+QRectF boxOfDisc(const QPointF& middle, const FigureFrame& frame);
 
 /// The answers of the course's question in a figure of its line; empty if it has none, if they are
 /// not parts of the figure, or if the figure does not show all of them. While the question is open

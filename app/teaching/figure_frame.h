@@ -9,6 +9,8 @@
 #include <QLineF>
 #include <QRectF>
 
+#include <vector>
+
 namespace app {
 
 /// The position and scale of a figure in its picture.
@@ -16,10 +18,11 @@ struct FigureFrame {
     QSizeF size;           ///< of the picture, in its own units: logical pixels
     clipping::Window seen; ///< the part of the drawing that fills it, in the picture's proportions
     YAxis y = YAxis::Up;
-    QFont font;              ///< with a pixel size; strokes, marks and distances scale with it
-    QRectF reserved{};       ///< labels do not cover this part of the picture
-    bool hasScale = false;   ///< it has a scale bar
-    bool countsSteps = true; ///< labels name steps by their numbers
+    QFont font;                  ///< with a pixel size; strokes, marks and distances scale with it
+    QRectF reserved{};           ///< labels do not cover this part of the picture
+    std::vector<QRectF> discs{}; ///< nor these, those of answers
+    bool hasScale = false;       ///< it has a scale bar
+    bool countsSteps = true;     ///< labels name steps by their numbers
 
     QRectF picture() const { return {QPointF(), size}; }
     /// Converts a point of the drawing to the picture. Always finite: the result for a very distant

@@ -31,6 +31,7 @@ LabelObstacles obstaclesOf(const TracedLine& tracedLine, const Narration& narrat
     LabelObstacles obstacles{frame.picture().adjusted(m, m, -m, -m), {}, {}, {}};
     if (!frame.reserved.isEmpty())
         obstacles.boxes.push_back(frame.reserved);
+    obstacles.boxes.insert(obstacles.boxes.end(), frame.discs.begin(), frame.discs.end());
     for (const FigureMark& mark : figureMarks(tracedLine, scene, frame))
         obstacles.boxes.push_back(boxOf(mark, frame));
     if (!narration.steps.empty())

@@ -43,6 +43,7 @@ class HostileSettingsTest : public QObject {
                 "experimentPace",
                 "experimentFolder",
                 "stepsFolder",
+                "lessonPagesFolder",
                 "lessonsFolder",
                 "judgeGeometry",
                 "zooGeometry",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/choice_list.h"
 
+#include "ui/lessons/page_parts.h"
 #include "ui/look/look.h"
-#include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/widgets/look_label.h"
 
@@ -178,22 +178,14 @@ void ChoiceList::addButton(const QString& text)
     buttons_ << button;
 }
 
-/// Marks a choice that was tried or is right, with a sign and in words. Marking the right one
-/// disables the others.
+/// Marks a choice; marking the right one disables the others.
 void ChoiceList::mark(int button, bool right)
 {
     if (right)
         for (QPushButton* other : buttons_)
             other->setEnabled(false);
-    const Look& look = lookOf(palette());
-    QPushButton& marked = *buttons_[button];
-    marked.setEnabled(right);
-    marked.setIcon(icon(right ? "tick" : "close"));
-    marked.setAccessibleDescription(right ? Text::tr("right") : Text::tr("chosen, and wrong"));
-    QPalette colours = marked.palette();
-    for (const auto group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled})
-        colours.setColor(group, QPalette::ButtonText, right ? look.good : errorColour(look));
-    marked.setPalette(colours);
+    buttons_[button]->setEnabled(right);
+    markAnswer(*buttons_[button], right);
 }
 
 } // namespace ui

@@ -11,6 +11,7 @@
 #include "ui/lessons/practice_page.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
+#include "ui/widgets/buttons.h"
 
 #include <QApplication>
 #include <QScrollBar>
@@ -75,6 +76,8 @@ LessonPanel::LessonPanel(app::Course& course, app::Practice& practice, QWidget* 
           button(Text::tr("Repeat lesson"),
                  Text::tr("Start this lesson again, with other lines; your best result is kept")))
 {
+    for (QLabel* label : {text_, told_})
+        label->setTextFormat(Qt::RichText);
     setObjectName(QStringLiteral("lessons"));
     setAccessibleName(Text::tr("Lessons"));
     addWidget(list_);
@@ -138,7 +141,12 @@ QLayout* LessonPanel::makeHead()
     connect(all, &QToolButton::clicked, this, &LessonPanel::showList);
     place_->setToolTip(Text::tr("Questions that you answered right at the first try, and how many "
                                 "of them pass the lesson"));
+    QToolButton* const page =
+        iconButton("export", Text::tr("Export this lesson as a web page, with its questions"));
+    page->setObjectName(QStringLiteral("export-lesson-button"));
+    connect(page, &QToolButton::clicked, this, &LessonPanel::exportWanted);
     auto* head = pageHead(*place_, *all, *title_);
+    static_cast<QHBoxLayout*>(head->itemAt(0)->layout())->addWidget(page);
     head->setContentsMargins(0, 0, scrollGap, 0);
     return head;
 }

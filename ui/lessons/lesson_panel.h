@@ -37,6 +37,7 @@ public:
 
 signals:
     void closeWanted();
+    void exportWanted(); ///< of the lesson
 
 protected:
     void changeEvent(QEvent* event) override;

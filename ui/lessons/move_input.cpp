@@ -5,8 +5,8 @@
 #include "app/base/numbers.h"
 #include "app/practice/plan.h"
 #include "app/teaching/manual.h"
+#include "ui/lessons/page_parts.h"
 #include "ui/look/look.h"
-#include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/widgets/look_label.h"
 
@@ -157,11 +157,8 @@ void MoveInput::showChoices(const QStringList& choices, int firstAnswer)
         button->setAutoDefault(true); // Enter presses it
         const bool wrong = std::ranges::count(given.tries, answer) > 0 && answer != move.right;
         const bool right = given.settled() && answer == move.right;
-        if (wrong || right) {
-            button->setIcon(icon(right ? "tick" : "close"));
-            button->setAccessibleDescription(right ? Text::tr("right")
-                                                   : Text::tr("chosen, and wrong"));
-        }
+        if (wrong || right)
+            markAnswer(*button, right);
         button->setEnabled(!wrong);
         connect(button, &QPushButton::clicked, this, [this, answer] { practice_.answer(answer); });
         buttons_ << button;

@@ -4,6 +4,7 @@
 #include "ui/lessons/choice_list.h"
 #include "ui/lessons/page_dots.h"
 #include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/widgets/link_button.h"
 
@@ -43,6 +44,17 @@ void makePageBody(QScrollArea& body, QWidget& inner)
     body.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     body.setFocusPolicy(Qt::NoFocus);
     body.setWidget(&inner);
+}
+
+void markAnswer(QPushButton& button, bool right)
+{
+    const Look& look = lookOf(button.palette());
+    button.setIcon(icon(right ? "tick" : "close"));
+    button.setAccessibleDescription(right ? Text::tr("right") : Text::tr("chosen, and wrong"));
+    QPalette colours = button.palette();
+    for (const auto group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled})
+        colours.setColor(group, QPalette::ButtonText, right ? look.good : errorColour(look));
+    button.setPalette(colours);
 }
 
 QHBoxLayout* pageFoot(PageDots& dots, QLabel& count, std::initializer_list<QPushButton*> turns)

@@ -21,6 +21,8 @@ QVBoxLayout* pageHead(QLabel& place, QToolButton& all, QLabel& title);
 QToolButton* linkToLessons();
 /// Scrolls if there is too little room; takes `inner`.
 void makePageBody(QScrollArea& body, QWidget& inner);
+/// Marks an answer that was tried or is right, with a sign, in colour and in words.
+void markAnswer(QPushButton& button, bool right);
 /// The dots, the number of the page, and the buttons at the right.
 QHBoxLayout* pageFoot(PageDots& dots, QLabel& count, std::initializer_list<QPushButton*> turns);
 

@@ -100,6 +100,14 @@ MenuInfo learnMenu()
                     .paletteOnly = true,
                 },
                 {
+                    .key = "export-lesson",
+                    .text = Text::tr("Export lesson as &web page…"),
+                    .icon = "export",
+                    .show = &OtherWindows::exportLesson,
+                    .enabled = [](const MainWindow& w) { return w.session().course.lesson(); },
+                    .paletteOnly = true, // it is a button of the lesson
+                },
+                {
                     .key = "microscope",
                     .text = Text::tr("Clip &microscope"),
                     .keys = {QKeySequence("F2")},

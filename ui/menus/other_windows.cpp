@@ -8,6 +8,7 @@
 #include "ui/files/files.h"
 #include "ui/hard_cases/hard_cases_window.h"
 #include "ui/judge/judge_window.h"
+#include "ui/lessons/lesson_export.h"
 #include "ui/menus/palette.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/sheets/command_keys.h"
@@ -73,6 +74,7 @@ OtherWindows::OtherWindows(MainWindow& window) : QObject(&window), window_(windo
     connect(&window, &MainWindow::experimentWanted, this, &OtherWindows::showExperiment);
     connect(&window, &MainWindow::explanationWanted, this, &OtherWindows::explain);
     connect(&window, &MainWindow::stepsExportWanted, this, &OtherWindows::exportSteps);
+    connect(&window, &MainWindow::lessonExportWanted, this, &OtherWindows::exportLesson);
     window.installEventFilter(this);
 }
 
@@ -196,6 +198,15 @@ void OtherWindows::exportSteps()
         connect(stepExports_, &StepExports::told, &window_, &MainWindow::tell);
     }
     stepExports_->ask();
+}
+
+void OtherWindows::exportLesson()
+{
+    if (!lessonExport_) {
+        lessonExport_ = new LessonExport(window_, window_.session().course);
+        connect(lessonExport_, &LessonExport::told, &window_, &MainWindow::tell);
+    }
+    lessonExport_->ask();
 }
 
 } // namespace ui

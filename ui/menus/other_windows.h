@@ -15,6 +15,7 @@ class ExperimentWindow;
 class ExplanationWindow;
 class HardCasesWindow;
 class JudgeWindow;
+class LessonExport;
 class MainWindow;
 class Palette;
 class StepExports;
@@ -40,6 +41,7 @@ public:
     void explainCurrent();
     /// Opens the export dialog for the microscope's trace.
     void exportSteps();
+    void exportLesson(); ///< the one in progress
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -56,6 +58,7 @@ private:
     ExplanationWindow* explanation_ = nullptr;
     bool helpWaits_ = false; ///< it is hidden while steps are shown in another drawing
     StepExports* stepExports_ = nullptr;
+    LessonExport* lessonExport_ = nullptr;
     Palette* palette_ = nullptr;
 };
 

@@ -60,6 +60,10 @@ void AnswerDiscs::follow()
                                 : app::stageAnswers(course_, view_.frame());
     if (answers_.empty() || !asks())
         hover({});
+    std::vector<QRectF> boxes;
+    for (const app::StageAnswer& answer : answers_)
+        boxes.push_back(app::boxOfDisc(answer.disc, view_.frame()));
+    view_.leaveFree(std::move(boxes));
     setVisible(!answers_.empty());
     update();
 }
@@ -136,7 +140,8 @@ void AnswerDiscs::paint(QPainter& painter, const app::StageAnswer& answer) const
 {
     using enum app::StageAnswer::State;
     const Look& look = lookOf(palette());
-    const double unit = view_.frame().unit(), radius = app::discSize / 2 * unit;
+    const double unit = view_.frame().unit();
+    const QRectF box = app::boxOfDisc(answer.disc, view_.frame());
     const bool lit = hovered_ == answer.choice, filled = lit || answer.state != Open;
     const QColor colour = colourOf(answer.state, lit, look);
     if (lit || answer.state == Right) {
@@ -145,14 +150,13 @@ void AnswerDiscs::paint(QPainter& painter, const app::StageAnswer& answer) const
     }
     painter.setPen(QPen(colour, 1.5 * unit));
     painter.setBrush(filled ? colour : look.base);
-    painter.drawEllipse(answer.disc, radius - unit, radius - unit);
+    painter.drawEllipse(box.adjusted(unit, unit, -unit, -unit));
     painter.setPen(
         QPen(filled ? look.base : look.text, 2 * unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     if (answer.state != Open)
         return paintSign(painter, answer.disc, unit, answer.state == Right);
     painter.setFont(semiBold(view_.frame().font));
-    painter.drawText(QRectF(answer.disc - QPointF(radius, radius), QSizeF(radius, radius) * 2),
-                     Qt::AlignCenter, QString::number(answer.choice + 1));
+    painter.drawText(box, Qt::AlignCenter, QString::number(answer.choice + 1));
 }
 
 } // namespace ui

@@ -89,6 +89,8 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     leave_->setText(Text::tr("Leave the lesson (Esc)"));
     leave_->setAccessibleName(Text::tr("Leave the lesson"));
     leave_->setToolTip(Text::tr("Return to the drawing; the lesson remembers its page"));
+    leave_->setStyleSheet(leave_->styleSheet()
+                          + QStringLiteral("QToolButton { background: palette(base); }"));
     leave_->setObjectName(QStringLiteral("leave-lesson"));
     leave_->hide();
     for (QToolButton* button : {back_, fit_}) {

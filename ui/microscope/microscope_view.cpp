@@ -73,8 +73,10 @@ void MicroscopeView::refit()
 {
     QFont body = font();
     body.setPixelSize(QFontInfo(body).pixelSize());
+    auto discs = std::move(frame_.discs);
     frame_ = app::nearFrame(microscope_.tracedLine(), QSizeF(size()), body);
     frame_.reserved = reserved_;
+    frame_.discs = std::move(discs);
     frame_.countsSteps = countsSteps_;
     update();
     emit framed();
@@ -85,6 +87,14 @@ void MicroscopeView::reserve(const QRectF& place)
     reserved_ = frame_.reserved = place;
     update();
     emit reframed();
+}
+
+void MicroscopeView::leaveFree(std::vector<QRectF> discs)
+{
+    if (discs == frame_.discs)
+        return;
+    frame_.discs = std::move(discs);
+    update();
 }
 
 void MicroscopeView::countSteps(bool counted)

@@ -21,6 +21,8 @@ public:
     const app::FigureFrame& frame() const { return frame_; }
     /// Reserves an area that labels avoid.
     void reserve(const QRectF& place);
+    /// Keeps labels off the discs of answers.
+    void leaveFree(std::vector<QRectF> discs);
     /// Whether labels name steps by their numbers: not where no steps are shown.
     void countSteps(bool counted);
     /// Fits window and line into the view.

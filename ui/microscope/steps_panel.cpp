@@ -55,6 +55,7 @@ StepsPanel::StepsPanel(app::Microscope& microscope, QWidget* parent)
     sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     sentence_->setMinimumHeight(sentenceLines * QFontMetrics(sentence_->font()).lineSpacing());
     count_->setAccessibleName(Text::tr("Step"));
+    count_->setTextFormat(Qt::RichText);
     keys_->setFont(captionFont(font()));
     keys_->setForegroundRole(QPalette::PlaceholderText);
     addButton("first", Text::tr("First step"), Text::tr("Home"));
@@ -158,7 +159,7 @@ void StepsPanel::showStep()
         buttons_[button]->setEnabled(any && !start);
     for (const int button : {Next, Last})
         buttons_[button]->setEnabled(any && !end);
-    buttons_[Play]->setEnabled(any);
+    buttons_[Play]->setEnabled(any && !(covered && end));
     speed_->setEnabled(any);
     legend_->show(narration);
     sentence_->setAccessibleName(sentence_->text());

@@ -132,6 +132,8 @@ void MainWindow::addModes()
         session_, drawnLine_, *canvas_,
         Modes::Parts{*this, sheets_, *centre_, *panelLayout_, {optionBar_, toolBar_}, *status_});
     connect(modes_.get(), &Modes::changed, this, &MainWindow::refreshActions);
+    connect(&modes_->microscope(), &MicroscopeMode::lessonExportWanted, this,
+            &MainWindow::lessonExportWanted);
     connect(&modes_->microscope(), &MicroscopeMode::made, this, &MainWindow::connectMicroscope);
     connect(&modes_->tiles(), &TilesMode::made, this, &MainWindow::connectTiles);
     connect(modes_.get(), &Modes::changed, this, &MainWindow::showTilesInStatus);
@@ -230,10 +232,7 @@ void MainWindow::closeSheet() { modes_->sheets().close(); }
 
 void MainWindow::showLessons() { modes_->microscope().showLessons(); }
 
-void MainWindow::openLessons(const QStringList& paths)
-{
-    modes_->microscope().openLessons(paths);
-}
+void MainWindow::openLessons(const QStringList& paths) { modes_->microscope().openLessons(paths); }
 
 bool MainWindow::showsLessons() const { return modes_->microscope().showsLessons(); }
 

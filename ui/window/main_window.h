@@ -122,6 +122,7 @@ signals:
     void explanationWanted(const clipping::Algorithm& algorithm); ///< asks for its page
     void experimentWanted();                                      ///< the paper's
     void stepsExportWanted();                                     ///< of the microscope
+    void lessonExportWanted();                                    ///< of the one in progress
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -39,6 +39,10 @@ void MainWindow::connectSession()
             });
     connect(&session_.nodes, &app::NodeEditing::changed, this, &MainWindow::refreshActions);
     connect(&session_.entered, &app::EnteredGroup::changed, this, &MainWindow::refreshActions);
+    connect(&session_.course, &app::Course::changed, this, [this, before = false]() mutable {
+        if (const bool now = session_.course.lesson(); std::exchange(before, now) != now)
+            refreshActions();
+    });
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::closeDone);
     connect(status_, &StatusBar::warningWanted, this, [this](const QString& sentence) {

@@ -68,6 +68,7 @@ void MicroscopeMode::showLessons()
         // Queued: the panel is deleted, but not while it handles an event.
         connect(lessons, &LessonPanel::closeWanted, this, &MicroscopeMode::closeLessons,
                 Qt::QueuedConnection);
+        connect(lessons, &LessonPanel::exportWanted, this, &MicroscopeMode::lessonExportWanted);
         page.setSide(lessons);
     }
     page.side()->setFocus();

@@ -39,6 +39,7 @@ public:
 signals:
     void made(ui::MicroscopePage* page);
     void lessonsToggled();
+    void lessonExportWanted();
 
 private:
     void make();
