@@ -9,6 +9,12 @@
 namespace app {
 namespace {
 
+QString withoutRank()
+{
+    return Text::tr(
+        "Empty if the algorithm does not differ significantly from every other algorithm.");
+}
+
 /// Columns of times by algorithm.
 std::map<QString, Heading> timeHeadings()
 {
@@ -17,10 +23,7 @@ std::map<QString, Heading> timeHeadings()
         {"form",
          {Text::tr("Form"), Text::tr("Published: as its authors printed it. Corrected: "
                                      "without the faults of the published form.")}},
-        {"rank",
-         {Text::tr("Rank"),
-          Text::tr(
-              "Empty if the algorithm does not differ significantly from every other algorithm.")}},
+        {"rank", {Text::tr("Rank"), withoutRank()}},
         {"letters",
          {Text::tr("Letters"),
           Text::tr("Algorithms that share no letter differ significantly, by 1 % or more.")}},
@@ -72,8 +75,10 @@ std::map<QString, Heading> againstHeadings()
           Text::tr("The paper's average time in seconds. It always includes generating, "
                    "clipping and drawing all lines of its table.")}},
         {"ours_s", {Text::tr("Ours\ns"), Text::tr("Our average time in seconds.")}},
-        {"paper_rank", {Text::tr("Paper's\nrank"), Text::tr("From the paper's own runs.")}},
-        {"our_rank", {Text::tr("Our\nrank"), {}}},
+        {"paper_rank",
+         {Text::tr("Paper's\nrank"),
+          Text::tr("From the paper's own runs.") + u' ' + withoutRank()}},
+        {"our_rank", {Text::tr("Our\nrank"), withoutRank()}},
         {"paper_letters",
          {Text::tr("Paper's\nletters"),
           Text::tr("Algorithms that share no letter differ significantly. From the paper's own "

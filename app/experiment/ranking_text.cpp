@@ -70,7 +70,8 @@ QStringList rankingNotes(const Ranking& ranking)
             + Text::tr(
                 " All pairs are tested by the exact two-sided Wilcoxon signed-rank test, paired by "
                 "run, at a level of 5 %, with Holm's correction. The fastest is the one that "
-                "differs so from all others: it shares no letter.")};
+                "differs so from all others: it shares no letter. Without a rank is what does not "
+                "differ so from every other.")};
 }
 
 QStringList ratioNotes(const Ranking& ranking)

@@ -54,6 +54,7 @@ QWidget* invitation()
         "<p><b>Run</b> repeats this on your machine and reports the result. <b>Quick run</b> uses "
         "fewer lines and takes a few seconds. At the left you can choose other lines, also those "
         "of your drawing.</p>"));
+    text->setTextFormat(Qt::RichText);
     text->setWordWrap(true);
     text->setMaximumWidth(460);
     auto* page = new QWidget;

@@ -69,6 +69,7 @@ Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     summary_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     summary_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else lines break by its past
     summary_->setWidget(verdict_);
+    verdict_->setTextFormat(Qt::RichText);
     verdict_->setAlignment(Qt::AlignTop);
     reserveRoom();
     addPages(tools);
@@ -219,9 +220,9 @@ void Results::markOld()
 /// Gives the summary a fixed height, so that the tabs do not move; longer text scrolls.
 void Results::reserveRoom()
 {
-    constexpr int least = 2, most = 7;
+    constexpr int least = 3, most = 9;
     const int line = verdict_->fontMetrics().lineSpacing();
-    summary_->setFixedHeight(std::clamp(height() / 4, least * line, most * line));
+    summary_->setFixedHeight(std::clamp(height() / 3, least * line, most * line));
 }
 
 void Results::resizeEvent(QResizeEvent* event)

@@ -28,8 +28,10 @@ class PrintResult : public ExportSection {
 public:
     PrintResult(double ratio, QWidget* sheets, QWidget* error) : ExportSection(Text::tr("Result"))
     {
-        addRow(Text::tr("Scale"),
-               {new QLabel(Text::tr("<b>1 : %1</b>, true size").arg(app::shortestText(ratio)))});
+        auto* scale =
+            new QLabel(Text::tr("<b>1 : %1</b>, true size").arg(app::shortestText(ratio)));
+        scale->setTextFormat(Qt::RichText);
+        addRow(Text::tr("Scale"), {scale});
         addRow(Text::tr("Sheets"), {sheets});
         grid().addWidget(error, grid().rowCount(), 0, 1, 2);
     }
@@ -77,6 +79,7 @@ PrintSheet::PrintSheet(app::Session& session, Files& files)
 
 void PrintSheet::addResult()
 {
+    sheets_->setTextFormat(Qt::RichText);
     sheets_->setObjectName(QStringLiteral("print-sheets"));
     error_->setObjectName(QStringLiteral("print-error"));
     error_->setWordWrap(true);

@@ -43,6 +43,7 @@ ResultSection::ResultSection(app::Session& session, app::LiveExport& live, QWidg
       size_(addFact(Text::tr("Size on paper"), "export-size")), pixels_(new QLabel), file_(nullptr),
       losses_(new LookLabel), error_(new LookLabel)
 {
+    pixels_->setTextFormat(Qt::RichText);
     pixels_->setObjectName(QStringLiteral("export-pixels"));
     pixelsRow_ = addRow(Text::tr("Picture"), {pixels_});
     file_ = addFact(Text::tr("File"), "export-bytes");
@@ -65,6 +66,7 @@ ResultSection::ResultSection(app::Session& session, app::LiveExport& live, QWidg
 QLabel* ResultSection::addFact(const QString& name, const char* key)
 {
     auto* label = new QLabel;
+    label->setTextFormat(Qt::RichText);
     label->setObjectName(QString::fromLatin1(key));
     addRow(name, {label});
     return label;

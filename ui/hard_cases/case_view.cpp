@@ -43,6 +43,7 @@ CaseView::CaseView(QWidget* parent)
     QFont large = semiBold(font());
     large.setPointSizeF(large.pointSizeF() * titleSize);
     title_->setFont(large);
+    origin_->setTextFormat(Qt::RichText);
     origin_->setOpenExternalLinks(true);
     origin_->setObjectName(QStringLiteral("origin"));
     numbers_->setFont(captionFont(font()));

@@ -120,6 +120,7 @@ QWidget* JudgeWindow::invitation()
         "<p>The library runs in a process of its own: a crash or an endless loop does no harm. But "
         "it is a program with all your rights, so choose only libraries from people you "
         "trust.</p>"));
+    text->setTextFormat(Qt::RichText);
     text->setWordWrap(true);
     text->setMaximumWidth(textWidth);
     auto* page = new QWidget;

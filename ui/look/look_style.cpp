@@ -5,6 +5,7 @@
 
 #include <QCheckBox>
 #include <QDateTime>
+#include <QLabel>
 #include <QListWidget>
 #include <QPainter>
 #include <QPainterPath>
@@ -372,6 +373,9 @@ static bool turnsWithTheWheel(const QWidget* widget)
 void LookStyle::polish(QWidget* widget)
 {
     QProxyStyle::polish(widget);
+    // Also of the label of a tooltip: names of files and layers are other people's.
+    if (auto* label = qobject_cast<QLabel*>(widget); label && label->textFormat() == Qt::AutoText)
+        label->setTextFormat(Qt::PlainText);
     if (!turnsWithTheWheel(widget))
         return;
     if (widget->focusPolicy() == Qt::WheelFocus)

@@ -77,6 +77,7 @@ void PageSheet::addCheck()
     auto* row = new QVBoxLayout;
     row->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
                             space::dockMargin);
+    check_->setTextFormat(Qt::RichText);
     check_->setWordWrap(true);
     check_->setObjectName(QStringLiteral("page-check"));
     row->addWidget(check_);
@@ -130,7 +131,8 @@ void PageSheet::check()
         return good ? look.good : look.warning;
     });
     const QString link = QStringLiteral(" <a href=\"#\">%1</a>").arg(Text::tr("Select them"));
-    check_->setText(found.outside.empty() ? found.text : found.text + link);
+    const QString text = found.text.toHtmlEscaped();
+    check_->setText(found.outside.empty() ? text : text + link);
 }
 
 } // namespace ui

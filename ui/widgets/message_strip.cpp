@@ -184,6 +184,7 @@ constexpr int accentWidth = 4;
 WindowNote::WindowNote(const app::Session& session) : session_(session)
 {
     setContentsMargins(12, 8, 12, 8);
+    setTextFormat(Qt::RichText);
     setWordWrap(true);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it must not widen the window
     connect(&session.document, &app::EditedDocument::changed, this,

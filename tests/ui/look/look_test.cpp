@@ -7,11 +7,13 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSpinBox>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <set>
@@ -136,6 +138,28 @@ private slots:
                 ++icons;
             }
         QVERIFY(icons > 10);
+    }
+    /// Names of files and layers are shown as they are, in labels and in tooltips.
+    void aNameIsNoMarkup()
+    {
+        const QString name = QStringLiteral("<b>bold</b>");
+        QWidget ground;
+        QVBoxLayout rows(&ground);
+        QLabel plain(name), rich(name);
+        rich.setTextFormat(Qt::RichText);
+        for (QLabel* label : {&plain, &rich})
+            rows.addWidget(label);
+        ground.show();
+        QCOMPARE(plain.textFormat(), Qt::PlainText);
+        QVERIFY(plain.sizeHint().width() > rich.sizeHint().width());
+        QToolTip::showText(ground.mapToGlobal(QPoint()), name, &ground);
+        for (const QWidget* top : QApplication::topLevelWidgets())
+            if (const auto* tip = qobject_cast<const QLabel*>(top); tip && tip->text() == name) {
+                QCOMPARE(tip->textFormat(), Qt::PlainText);
+                QToolTip::hideText();
+                return;
+            }
+        QFAIL("no tooltip");
     }
     void iconsFollowTheTheme()
     {
