@@ -216,6 +216,7 @@ void DifferencePanel::follow()
             wrong << variant.misprint->whatIsWrong;
     explanation_->setText(wrong.join(u'\n'));
     explanation_->setVisible(!wrong.isEmpty());
+    keepWhole();
     table_->setVisible(model_.rowCount() > 0);
     paintSummary();
     fitColumns();
@@ -235,6 +236,25 @@ void DifferencePanel::fitColumns()
         table_->resizeColumnToContents(column);
         table_->setColumnWidth(column, std::min(table_->columnWidth(column), mostColumnWidth));
     }
+    // Only the first rows are measured, and the numbers of lines below them are longer.
+    constexpr int besideNumber = 16;
+    const QString most = app::countText(session_.scene.lines().size());
+    table_->setColumnWidth(0, std::max(table_->columnWidth(0),
+                                       table_->fontMetrics().horizontalAdvance(most)
+                                           + besideNumber));
+}
+
+/// In a low panel the table gives way, not a sentence.
+void DifferencePanel::keepWhole()
+{
+    explanation_->setMinimumHeight(
+        explanation_->heightForWidth(std::max(1, width() - 2 * space::dockMargin)));
+}
+
+void DifferencePanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    keepWhole();
 }
 
 void DifferencePanel::fitColumnsAnew()

@@ -43,6 +43,7 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void addChoosers();
@@ -56,6 +57,7 @@ private:
     void paintSummary();
     void paintPosition();
     void fitColumns();
+    void keepWhole();
     void showRow(int row);
     void choose(int row);
 

@@ -149,6 +149,37 @@ private slots:
         QVERIFY(stage.table->columnViewportPosition(5) < stage.table->viewport()->width());
     }
 
+    /// Also of lines far below, which are not measured.
+    void theLongestLineNumberFits()
+    {
+        Stage stage;
+        app::Sheet many = tenLines();
+        const auto ten = many.shapes;
+        while (many.shapes.size() < 30'000)
+            many.shapes.insert(many.shapes.end(), ten.begin(), ten.end());
+        ::load(stage.session.document, many);
+        stage.show();
+        QTRY_VERIFY(stage.table->model()->rowCount() > 5000);
+        const int last = stage.table->model()->rowCount() - 1;
+        const QString number = stage.table->model()->index(last, 0).data().toString();
+        QVERIFY(number.size() > 5);
+        QVERIFY(stage.table->columnWidth(0)
+                > stage.table->fontMetrics().horizontalAdvance(number) + 8);
+    }
+    /// In a low panel, too.
+    void theExplanationOfAMisprintIsWhole()
+    {
+        Stage stage;
+        stage.panel.resize(320, 250);
+        stage.show();
+        stage.choose(stage.a, "MD with Step 2 as printed");
+        QLabel* told = nullptr;
+        for (auto* label : stage.panel.findChildren<QLabel*>())
+            if (label->isVisible() && label->text().startsWith("The text of the paper"))
+                told = label;
+        QVERIFY(told);
+        QTRY_VERIFY(told->height() >= told->heightForWidth(told->width()));
+    }
     void anyColumnSorts()
     {
         Stage stage;
