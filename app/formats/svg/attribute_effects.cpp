@@ -80,6 +80,7 @@ constexpr std::array harmlessAttributes{
 constexpr std::array lostAttributes{
     AttributeEffect{"clip", AttributeEffect::Kind::Lost, "auto"},
     AttributeEffect{"onload", AttributeEffect::Kind::Lost},
+    AttributeEffect{"shape-rendering", AttributeEffect::Kind::Lost, "auto geometricPrecision"},
     AttributeEffect{"xml:base", AttributeEffect::Kind::Lost},
 };
 

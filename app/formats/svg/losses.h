@@ -79,6 +79,11 @@ inline constexpr LossKind imageTooLarge{
                               "images of a file 200 million pixels and 256 MB")};
 inline constexpr LossKind imageBeyond{QT_TRANSLATE_NOOP("Text", "image beyond the first 500"),
                                       QT_TRANSLATE_NOOP("Text", "images beyond the first 500")};
+inline constexpr LossKind profileColour{
+    QT_TRANSLATE_NOOP("Text", "colour of a colour profile"),
+    QT_TRANSLATE_NOOP("Text", "colours of colour profiles"), false,
+    QT_TRANSLATE_NOOP("Text", "the colour given beside it is used"),
+    QT_TRANSLATE_NOOP("Text", "the colours given beside them are used")};
 inline constexpr LossKind sharpPixels{QT_TRANSLATE_NOOP("Text", "image with sharp pixels"),
                                       QT_TRANSLATE_NOOP("Text", "images with sharp pixels"), false,
                                       QT_TRANSLATE_NOOP("Text", "its pixels are smoothed"),

@@ -35,6 +35,7 @@ constexpr std::array lost{
     LostProperty{"outline*", "none 0 0px"},
     LostProperty{"overflow-*", "auto hidden clip scroll normal anywhere break-word"},
     LostProperty{"perspective", "none"},
+    LostProperty{"shape-rendering", "auto geometricPrecision"}, // the others have hard edges
     LostProperty{"zoom", "1 100% normal"},
 };
 
@@ -86,7 +87,6 @@ constexpr auto withoutEffect = std::to_array<std::string_view>({
     "print-color-adjust",
     "resize",
     "scroll*",
-    "shape-rendering",
     "touch-action",
     "transition*",
     "user-select",

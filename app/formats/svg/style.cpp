@@ -184,7 +184,8 @@ void Styles::apply(Cascade& cascade, const Declaration& declaration)
 {
     const Meaning& meaning = meaningOf(declaration.property);
     if (meaning.property) {
-        if (isFontSize(*meaning.property) == cascade.ofFonts)
+        // `font` in its turn, too: it resets what stands before it.
+        if (isFontSize(*meaning.property) == cascade.ofFonts || meaning.property->name == fontName)
             set(cascade, *meaning.property, declaration.value, true);
     } else if (!cascade.ofFonts && !meaning.lost.empty()
                && isLost(meaning.lost, declaration.value, cascade.node == 0)) {
@@ -210,6 +211,7 @@ void Styles::set(Cascade& cascade, const Property& property, std::string_view va
     const auto is = [&](std::string_view word) { return equalsIgnoringCase(value, word); };
     if (value.empty())
         return;
+    const double fontSize = cascade.result.fontSize;
     const bool refers = usesVariables(value);
     const std::string_view written = value;
     if (refers)
@@ -218,8 +220,13 @@ void Styles::set(Cascade& cascade, const Property& property, std::string_view va
     const bool inherits = is("inherit") || (unset && property.inherited);
     if (property.copy && (inherits || unset || is("initial")))
         property.copy(cascade.result, inherits ? cascade.parent : Properties());
-    else if (!property.set(cascade.result, value, {property.name, cascade.lengths, isCss}))
+    else if (!property.set(cascade.result, value, {property.name, cascade.lengths, isCss})
+             && !(cascade.ofFonts && property.name == fontName)) // which is set again
         report_.add(losses::value, std::string(property.name) + ": " + std::string(written));
+    else
+        report_.add(losses::profileColour, value.find(" icc-color(") != value.npos);
+    if (!cascade.ofFonts)
+        cascade.result.fontSize = fontSize; // that of `font` is set already
 }
 
 // The value with its variables replaced; a property with an unknown one is not set.

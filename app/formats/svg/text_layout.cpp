@@ -87,14 +87,15 @@ private:
         return end;
     }
 
-    TextLine lineOf(const Chunk& chunk, double moreSpacing) const
+    /// With more spacing after each character.
+    TextLine lineOf(const Chunk& chunk, const std::vector<double>& spacing) const
     {
         std::vector<TextLine::Span> spans;
         for (qsizetype i = chunk.first; i < chunk.end; ++i) {
             LineFont font = runAt(i).font;
             if (isJoined(content_.text()[i]))
                 font.letterSpacing = 0;
-            font.letterSpacing += moreSpacing;
+            font.letterSpacing += spacing[std::size_t(i - chunk.first)];
             if (spans.empty() || spans.back().font != font)
                 spans.push_back({0, std::move(font)});
             ++spans.back().length;
@@ -105,14 +106,12 @@ private:
 
     void setChunk(const Chunk& chunk)
     {
-        TextLine line = lineOf(chunk, 0);
-        const TextFit* const fit = fitOf(chunk);
+        std::vector<double> spacing(std::size_t(chunk.end - chunk.first), 0);
+        TextLine line = lineOf(chunk, spacing);
         double stretch = 1;
-        const double width = line.width();
-        if (fit && fit->stretches && width > 0)
-            stretch = fit->length / width;
-        else if (fit && chunk.end - chunk.first > 1)
-            line = lineOf(chunk, (fit->length - width) / double(lettersIn(line, chunk) - 1));
+        for (std::size_t i = 0; i < fits_.size(); ++i)
+            if (fitsInto(chunk, fits_[i]) && fit(chunk, fits_[i], line, spacing, stretch))
+                fitted_[i] = true;
         const LetterPlace& place = content_.placeOf(chunk.first);
         pen_ = {isGiven(place.x) && !runAt(chunk.first).path ? place.x : pen_.x,
                 isGiven(place.y) ? place.y : pen_.y};
@@ -125,20 +124,47 @@ private:
             setStraight(chunk, line, stretch);
     }
 
-    const TextFit* fitOf(const Chunk& chunk)
+    static bool fitsInto(const Chunk& chunk, const TextFit& fit)
     {
-        for (std::size_t i = 0; i < fits_.size(); ++i)
-            if (!fitted_[i] && fits_[i].first == chunk.first && fits_[i].end == chunk.end) {
-                fitted_[i] = true;
-                return &fits_[i];
-            }
-        return nullptr;
+        return fit.first >= chunk.first && fit.end <= chunk.end;
     }
 
-    static qsizetype lettersIn(const TextLine& line, const Chunk& chunk)
+    /// Makes a chunk, or a part of it, as long as it is to be. Parts come before what they are in.
+    bool fit(const Chunk& chunk, const TextFit& fit, TextLine& line, std::vector<double>& spacing,
+             double& stretch) const
+    {
+        const qsizetype first = fit.first - chunk.first, count = fit.end - fit.first;
+        const bool whole = count == chunk.end - chunk.first;
+        if (!whole && (fit.stretches || line.isMixed()))
+            return false;
+        const auto [left, right] = line.reach(first, count);
+        const double width = whole ? line.width() : right - left;
+        if (fit.stretches && width > 0)
+            stretch = fit.length / width;
+        if (fit.stretches || count < 2)
+            return true;
+        const qsizetype letters = lettersIn(line, first, first + count);
+        const double more = (fit.length - width) / double(letters - 1);
+        // What follows a part begins at its end, so that its last letter has no gap after it.
+        const qsizetype end = whole ? first + count : lastLetter(line, first, first + count);
+        for (qsizetype i = first; i < end; ++i)
+            spacing[std::size_t(i)] += more;
+        line = lineOf(chunk, spacing);
+        return true;
+    }
+
+    static qsizetype lastLetter(const TextLine& line, qsizetype i, qsizetype end)
+    {
+        qsizetype last = i;
+        for (; i < end; i = std::max(line.nextLetter(i), i + 1))
+            last = i;
+        return last;
+    }
+
+    static qsizetype lettersIn(const TextLine& line, qsizetype i, qsizetype end)
     {
         qsizetype count = 0;
-        for (qsizetype i = 0; i < chunk.end - chunk.first; ++count)
+        for (; i < end; ++count)
             i = std::max(line.nextLetter(i), i + 1);
         return std::max<qsizetype>(count, 2);
     }

@@ -241,6 +241,7 @@ bool setFont(Properties& p, Word text, const Given& given)
         return true;
     Properties made = p;
     made.text.italic = made.text.smallCapitals = false;
+    made.text.kerning = true;
     made.text.weight = 400;
     for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
         const auto end = std::min(text.find_first_of(blanks), text.size());
@@ -323,6 +324,7 @@ void copyFont(Properties& to, const Properties& from)
     to.text.weight = from.text.weight;
     to.text.italic = from.text.italic;
     to.text.smallCapitals = from.text.smallCapitals;
+    to.text.kerning = from.text.kerning;
 }
 
 const std::array evaluated{
@@ -333,7 +335,8 @@ const std::array evaluated{
     letters<&Letters::italic>("font-style", setStyle),
     letters<&Letters::weight>("font-weight", setWeight),
     letters<&Letters::smallCapitals>("font-variant", setVariant),
-    letters<&Letters::kerning>("font-kerning", setKerning),
+    Property{"font-kerning", setKerning, copyText<&Letters::kerning>, true,
+             Property::Attribute::Other},
     letters<&Letters::kerning>("kerning", setOldKerning),
     letters<&Letters::letterSpacing>("letter-spacing", setSpacing<&Letters::letterSpacing>),
     letters<&Letters::wordSpacing>("word-spacing", setSpacing<&Letters::wordSpacing>),

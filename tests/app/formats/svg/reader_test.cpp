@@ -426,6 +426,16 @@ private slots:
             reportOf("<path d='M0 0h1v1' fill='red' stroke='blue' style='paint-order:stroke'/>"),
             "1 stroke below the fill of its shape became a shape of its own");
         QCOMPARE(reportOf("<path d='M0 0h1v1' fill='red' style='paint-order:stroke'/>"), "");
+        for (const char* const soft : {"auto", "geometricPrecision"})
+            QCOMPARE(reportOf("<path d='M0 0h1v1' shape-rendering='" + QByteArray(soft) + "'/>"),
+                     "");
+        for (const char* const hard :
+             {"shape-rendering='crispEdges'", "style='shape-rendering:optimizeSpeed'"})
+            QVERIFY(reportOf("<path d='M0 0h1v1' " + QByteArray(hard) + "/>")
+                        .contains("shape-rendering"));
+        // Inkscape writes the plain colour before that of a profile.
+        QVERIFY(reportOf("<path d='M0 0h1v1' fill='#ff0000 icc-color(cmyk, 0, 1, 1, 0)'/>")
+                    .startsWith("1 colour of a colour profile"));
     }
 
     void miterLimitHasNoUnit()

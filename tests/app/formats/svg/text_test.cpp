@@ -105,10 +105,13 @@ private slots:
                             + ">AVAVA</text>")
                 .width();
         };
-        for (const char* off : {"font-kerning='none'", "kerning='0'", "style='font-kerning:none'"})
+        for (const char* off : {"kerning='0'", "style='font-kerning:none'"})
             QVERIFY2(width(off) > 1.02 * width({}), off);
         for (const char* on : {"font-kerning='normal'", "kerning='auto'"})
             QNEAR(width(on), width({}));
+        // It is no attribute; `font` sets it back.
+        QNEAR(width("font-kerning='none'"), width({}));
+        QNEAR(width("style=\"font-kerning:none;font:10px 'DejaVu Serif'\""), width({}));
         QVERIFY(reportOf(text("kerning='3'", "AVA")).contains("“kerning: 3”"));
     }
     void lettersStandOnTheirBaseline()
@@ -170,6 +173,17 @@ private slots:
         const Bounds stretched =
             boundsOf(text("textLength='60.205' lengthAdjust='spacingAndGlyphs'", "HHHHH"));
         QNEAR(stretched.width(), five * 2);
+        // Of a part, which has no gap after it: 20 for two letters, then one more.
+        const double one = boundsOf(text("", "H")).width();
+        QNEAR(boundsOf(text("", "H<tspan textLength='20'>HH</tspan>H")).width(),
+              advance + 20 + one);
+        QNEAR(boundsOf(text("textLength='90'", "<tspan textLength='40'>HHH</tspan>HH")).width(),
+              boundsOf(text("textLength='90'", "HHHHH")).width());
+        const char* const stretchedPart =
+            "H<tspan textLength='20' lengthAdjust='spacingAndGlyphs'>HH</tspan>";
+        QVERIFY(reportOf(text("", stretchedPart)).contains("attribute “textLength”"));
+        QVERIFY(
+            !reportOf(text("", "<tspan textLength='20'>HH</tspan>H")).contains("textLength"));
     }
 
     void blanks()
