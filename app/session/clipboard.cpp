@@ -145,9 +145,12 @@ std::unique_ptr<QMimeData> copiedFile(std::string_view format, const QByteArray&
         QString type;
         bool isText;
     };
-    static const std::array kinds{Kind{"svg", svgType, true}, Kind{"pdf", pdfType, false},
+    static const std::array kinds{Kind{"svg", svgType, true},
+                                  Kind{"pdf", pdfType, false},
                                   Kind{"png", pngType, false},
-                                  Kind{"csv", QStringLiteral("text/csv"), true}};
+                                  Kind{"csv", QStringLiteral("text/csv"), true},
+                                  Kind{"dxf", QStringLiteral("image/vnd.dxf"), true},
+                                  Kind{"geojson", QStringLiteral("application/geo+json"), true}};
     auto data = std::make_unique<QMimeData>();
     const auto* kind = std::ranges::find(kinds, format, &Kind::format);
     if (kind == kinds.end())

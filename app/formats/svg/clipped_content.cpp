@@ -3,6 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/cut/stroke_area.h"
+#include "app/formats/svg/element_bounds.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 
@@ -17,6 +18,20 @@ KeptClips keptOf(const ClipAreas& areas)
     for (const auto& area : areas)
         clips.emplace_back(area, &area->windows);
     return clips;
+}
+
+/// Whether a stroke of this width is inside an area that is a rectangle.
+bool isInside(const Path& path, double width, const ClipArea& area)
+{
+    const auto box =
+        area.windows.list.size() == 1 ? axisAlignedBox(area.windows.list[0].shape) : std::nullopt;
+    if (!box)
+        return false;
+    ElementBounds bounds;
+    for (const Subpath& subpath : path.subpaths())
+        include(bounds, subpath);
+    const Point reach(width / 2), min = bounds.min - reach, max = bounds.max + reach;
+    return min.x >= box->min.x && min.y >= box->min.y && max.x <= box->max.x && max.y <= box->max.y;
 }
 
 } // namespace
@@ -92,30 +107,49 @@ std::vector<CutObject> ClippedContent::cut(const Scope& scope)
     ClippedObjects left = clipped(scope.objects, *scope.area, page_);
     addWork(left.work);
     report_.add(losses::crossedClipPath, left.tooMany);
-    tellHiddenStrokes(scope, left.objects);
+    tellSidesOfStrokes(scope, left.objects);
     return std::move(left.objects);
 }
 
-// Of a wide stroke whose centre line is hidden, a side may be visible.
-void ClippedContent::tellHiddenStrokes(const Scope& scope, std::span<const CutObject> left)
+bool ClippedContent::isWideStroke(const ObjectView& object) const
 {
+    const Style& style = object.style();
+    return style.stroke && style.width > leastWideStroke / page_.millimetresPerUnit()
+           && object.path().pointCount() <= mostLookedAtStroke;
+}
+
+// Lines are cut, not what their strokes cover: of a wide stroke whose line is hidden a side may be
+// visible, and of one whose line is not, a side may be hidden.
+void ClippedContent::tellSidesOfStrokes(const Scope& scope, std::span<const CutObject> left)
+{
+    constexpr double besideRounding = 0.95; // a stroke may end exactly where the area does
+    std::vector<bool> isHidden;
     Objects strokes;
     for (std::size_t i = 0; i < left.size(); ++i) {
         const ObjectView object = scope.objects[i];
-        const Style& style = object.style();
-        if (left[i].whole || !left[i].left.empty() || !style.stroke
-            || style.width <= leastWideStroke / page_.millimetresPerUnit()
-            || object.path().pointCount() > mostHiddenStroke)
+        const bool hidden = !left[i].whole && left[i].left.empty();
+        if ((!hidden && !left[i].whole) || !isWideStroke(object))
             continue;
+        Style style = object.style();
+        if (!hidden) {
+            style.width *= besideRounding;
+            looked_ += object.path().pointCount();
+            if (looked_ > mostLookedAtStrokes || isInside(object.path(), style.width, *scope.area))
+                continue;
+        }
         const Path area(strokeArea(object.path(), style, usualTolerance(page_)));
         strokes.append(Object{area, {.fill = Colour{}}});
+        isHidden.push_back(hidden);
     }
     if (strokes.empty() || scope.area->windows.list.empty())
         return;
     const ClippedObjects visible = clipped(strokes, *scope.area, page_);
     addWork(visible.work);
-    const auto isSeen = [](const CutObject& one) { return one.whole || !one.left.empty(); };
-    report_.add(losses::hiddenStroke, int(std::ranges::count_if(visible.objects, isSeen)));
+    for (std::size_t i = 0; i < isHidden.size(); ++i) {
+        const CutObject& one = visible.objects[i];
+        report_.add(losses::hiddenStroke, isHidden[i] && (one.whole || !one.left.empty()));
+        report_.add(losses::wholeStroke, !isHidden[i] && !one.whole);
+    }
 }
 
 void ClippedContent::putWhatIsLeft(const ObjectView& object, CutObject left)

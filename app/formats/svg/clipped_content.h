@@ -50,7 +50,8 @@ private:
     void put(Object object);
     void leave();
     std::vector<CutObject> cut(const Scope& scope);
-    void tellHiddenStrokes(const Scope& scope, std::span<const CutObject> left);
+    bool isWideStroke(const ObjectView& object) const;
+    void tellSidesOfStrokes(const Scope& scope, std::span<const CutObject> left);
     void putWhatIsLeft(const ObjectView& object, CutObject left);
 
     const Page& page_;
@@ -59,6 +60,7 @@ private:
     ContainerStack containers_;
     std::vector<Scope> scopes_; ///< outermost first
     std::size_t work_ = 0;
+    std::size_t looked_ = 0; ///< points of visible wide strokes
     bool keepsClips_ = false;
 };
 

@@ -37,11 +37,13 @@ constexpr std::size_t mostClipWork = 3'000'000;
 constexpr std::size_t workOfClipElement = 64;    ///< of one in a clip path or mask
 constexpr std::size_t mostUnusedClipPaths = 100; ///< whose areas are kept under their ids
 constexpr std::size_t mostMaskStroke = 10'000;   ///< points of one whose area is a mask
-constexpr std::size_t mostHiddenStroke = 1'000; ///< points of one that is looked at beside its line
-constexpr double leastWideStroke = 1;           ///< millimetres; how a wider one ends is told
-constexpr std::size_t mostClipMeetings = 5'000'000; ///< places where lines meet
-constexpr std::size_t mostNearClips = 200'000'000;  ///< pairs of lines whose boxes meet
-constexpr std::size_t mostClipChords = 1'000'000;   ///< of one clip path with curves
+constexpr std::size_t mostLookedAtStroke =
+    1'000; ///< points of one that is looked at beside its line
+constexpr std::size_t mostLookedAtStrokes = 100'000; ///< of all whose lines are visible
+constexpr double leastWideStroke = 1;                ///< millimetres; how a wider one ends is told
+constexpr std::size_t mostClipMeetings = 5'000'000;  ///< places where lines meet
+constexpr std::size_t mostNearClips = 200'000'000;   ///< pairs of lines whose boxes meet
+constexpr std::size_t mostClipChords = 1'000'000;    ///< of one clip path with curves
 /// True curves are met only by clip paths with so many points and chords, and of so many points.
 constexpr std::size_t mostTrueClipPoints = 10'000, mostTrueClipChords = 100'000,
                       mostTrueClippedPoints = 1'000'000;

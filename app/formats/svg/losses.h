@@ -169,6 +169,11 @@ inline constexpr LossKind wideStroke{
 inline constexpr LossKind hiddenStroke{
     QT_TRANSLATE_NOOP("Text", "wide stroke of which a clip path shows only a side"),
     QT_TRANSLATE_NOOP("Text", "wide strokes of which clip paths show only a side")};
+inline constexpr LossKind wholeStroke{
+    QT_TRANSLATE_NOOP("Text", "wide stroke that reaches out of its clip path"),
+    QT_TRANSLATE_NOOP("Text", "wide strokes that reach out of their clip paths"), false,
+    QT_TRANSLATE_NOOP("Text", "it keeps its whole width"),
+    QT_TRANSLATE_NOOP("Text", "they keep their whole width")};
 inline constexpr LossKind unevenStroke{QT_TRANSLATE_NOOP("Text", "unevenly stretched stroke"),
                                        QT_TRANSLATE_NOOP("Text", "unevenly stretched strokes"),
                                        false, QT_TRANSLATE_NOOP("Text", "it has its mean width"),

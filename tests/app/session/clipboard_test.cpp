@@ -198,6 +198,16 @@ private slots:
         QVERIFY2(std::abs(length - 162) < 0.01, qPrintable(QString::number(length)));
     }
 
+    void aFileOfEachFormatIsCopied()
+    {
+        for (const app::Format& format : app::formats()) {
+            if (!format.write)
+                continue;
+            const auto data = app::copiedFile(format.key, "content");
+            QVERIFY2(!data->formats().isEmpty(), format.key.data());
+            QCOMPARE(data->data(data->formats().front()), QByteArray("content"));
+        }
+    }
     void otherClipboardContentsAreIgnored()
     {
         QMimeData data;

@@ -311,6 +311,13 @@ private slots:
         };
         QVERIFY(reported("55").contains("1 wide stroke of which a clip path shows only a side"));
         QVERIFY(!reported("65").contains("wide"));
+        QVERIFY(reported("45").contains("1 wide stroke that reaches out of its clip path"));
+        QVERIFY(!reported("40").contains("wide"));
+        // As drawing programs write a stroke that is inside its shape.
+        QVERIFY(reportOf(clipPath("<circle cx='50' cy='50' r='30'/>")
+                         + clipped("<circle cx='50' cy='50' r='30' fill='none' stroke='red' "
+                                   "stroke-width='16'/>"))
+                    .contains("1 wide stroke that reaches out of its clip path"));
     }
 
     void clipPathsAreKnownByTheirIds()
