@@ -43,8 +43,9 @@ std::span<const MenuInfo> menus()
 
 namespace {
 
-QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& row)
+QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& row, bool ofDrawing)
 {
+    ofDrawing = ofDrawing && !row.show;
     auto* action = new QAction(row.text, &window);
     action->setObjectName(app::latin(row.key));
     action->setShortcuts(row.keys);
@@ -64,10 +65,14 @@ QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& 
             row.run(window);
         window.refreshActions();
     });
-    const auto refresh = [action, &row, &window] {
-        const QString why = row.refusal ? row.refusal(window) : QString();
+    action->setProperty(worksInPreview, !ofDrawing);
+    const auto refresh = [action, &row, &window, ofDrawing] {
+        const QString why = ofDrawing && window.isPreviewing()
+                                ? app::Text::tr("Close the preview first (Esc).")
+                            : row.refusal ? row.refusal(window)
+                                          : QString();
         action->setEnabled(why.isEmpty() && (!row.enabled || row.enabled(window)));
-        const QString needed = row.refusal ? why : app::withKeys(row.needs);
+        const QString needed = row.refusal || !why.isEmpty() ? why : app::withKeys(row.needs);
         action->setStatusTip(action->isEnabled() ? QString() : needed);
         if (row.refusal)
             action->setToolTip(needed);
@@ -83,7 +88,7 @@ QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& 
 using Groups = std::map<std::string_view, QActionGroup*>;
 
 void addRow(MainWindow& window, OtherWindows& others, const ActionInfo& row, QMenu& menu,
-            Groups& groups)
+            Groups& groups, bool ofDrawing)
 {
     if (row.text.isEmpty()) {
         menu.addSeparator();
@@ -92,7 +97,7 @@ void addRow(MainWindow& window, OtherWindows& others, const ActionInfo& row, QMe
     } else if (row.fill) {
         row.fill(window, row.submenu.isEmpty() ? *menu.addMenu(row.text) : menu);
     } else {
-        QAction* action = makeAction(window, others, row);
+        QAction* action = makeAction(window, others, row, ofDrawing);
         menu.addAction(action);
         if (row.group.empty())
             return;
@@ -137,7 +142,7 @@ void addMenus(MainWindow& window)
         for (const ActionInfo& row : info.rows) {
             if (row.paletteOnly) {
                 QMenu& further = furtherMenu(window, info.title, row.submenu);
-                addRow(window, *others, row, further, groups);
+                addRow(window, *others, row, further, groups, info.ofDrawing);
                 for (QAction* action : further.actions())
                     if (action->shortcutContext() == Qt::WindowShortcut && !action->menu())
                         window.addAction(action); // its keys work, although the menu is not shown
@@ -147,7 +152,7 @@ void addMenus(MainWindow& window)
                 submenu = nullptr;
             else if (!submenu || submenu->title() != row.submenu)
                 submenu = addSubmenu(*menu, row.submenu);
-            addRow(window, *others, row, submenu ? *submenu : *menu, groups);
+            addRow(window, *others, row, submenu ? *submenu : *menu, groups, info.ofDrawing);
         }
     }
     addSettingCommands(window);

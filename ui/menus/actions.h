@@ -58,6 +58,9 @@ struct MenuInfo {
     QString title;
     std::vector<ActionInfo> rows = {};
     void (*begin)(MainWindow& window, QMenu& menu) = nullptr; ///< adds the entries above the rows
+    /// Its commands change the drawing, or what is selected, and need to show it: not while a
+    /// preview of an export is in its place.
+    bool ofDrawing = false;
 };
 
 /// Every menu, in the order of the menu bar.

@@ -321,6 +321,7 @@ MenuInfo clipMenu()
             separator,
             {{.text = Text::tr("&Algorithm"), .fill = addAlgorithms}, publishedRow()},
         }),
+        .ofDrawing = true,
     };
 }
 

@@ -208,6 +208,7 @@ MenuInfo editMenu()
                         inSubmenu(Text::tr("S&elect"), {toolRows({"select", "nodes"}),
                                                         std::vector<ActionInfo>(1), selectRows()}),
                         {findRow(), findCommandRow()}});
+    menu.ofDrawing = true;
     return menu;
 }
 

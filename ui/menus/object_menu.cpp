@@ -98,6 +98,7 @@ MenuInfo objectMenu()
              separator,
              inSubmenu(Text::tr("&Path"), {pathRows()}),
              {convertRow()}}),
+        .ofDrawing = true,
     };
 }
 

@@ -226,6 +226,8 @@ void MainWindow::choose(const Workspace& workspace)
 
 Sheet* MainWindow::sheet() const { return modes_->sheets().sheet(); }
 
+bool MainWindow::isPreviewing() const { return sheet() && sheet()->preview(); }
+
 void MainWindow::showSheet(Sheet* sheet) { modes_->sheets().show(sheet); }
 
 void MainWindow::closeSheet() { modes_->sheets().close(); }

@@ -33,6 +33,9 @@ class ToolBar;
 class WorkspacePanes;
 struct Workspace;
 
+/// A property of actions: whether they work while isPreviewing().
+inline constexpr const char* worksInPreview = "works-in-preview";
+
 /// The editor's window around one session: bars, canvas and panels. It only assembles them. The
 /// room menus/ adds its commands (`addMenus`) and opens the other windows that it asks for.
 class MainWindow : public QMainWindow {
@@ -97,6 +100,9 @@ public:
     void choose(const Workspace& workspace);
 
     Sheet* sheet() const; ///< the side sheet in place of the panels; null: none
+    /// Whether the preview of an export is in place of the drawing. Keys of commands that are not
+    /// marked `worksInPreview` then do nothing.
+    bool isPreviewing() const;
     /// Shows a side sheet, which belongs to the window from now on, instead of the one before.
     void showSheet(Sheet* sheet);
     void closeSheet();
@@ -133,6 +139,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    bool isKeyOfPreview(const QKeyEvent& event) const;
     void takeDropped(const QMimeData& data, const QPointF& position);
     void addCentre();
     void addBars();

@@ -176,8 +176,24 @@ void MainWindow::takeDropped(const QMimeData& data, const QPointF& position)
         tell({Message::Kind::Warning, why});
 }
 
+/// Whether a key is of a command that does not need to show the drawing, or opens a menu.
+bool MainWindow::isKeyOfPreview(const QKeyEvent& event) const
+{
+    if (event.modifiers() & Qt::AltModifier)
+        return true;
+    const QKeySequence pressed(event.keyCombination());
+    return std::ranges::any_of(findChildren<QAction*>(), [&](const QAction* action) {
+        return action->property(worksInPreview).toBool() && action->shortcuts().contains(pressed);
+    });
+}
+
 bool MainWindow::event(QEvent* event)
 {
+    if (event->type() == QEvent::ShortcutOverride && isPreviewing()
+        && !isKeyOfPreview(*static_cast<QKeyEvent*>(event))) {
+        event->accept(); // the key is no shortcut
+        return true;
+    }
     if (event->type() == QEvent::WindowActivate)
         refreshActions();
     if (event->type() == QEvent::LocaleChange)

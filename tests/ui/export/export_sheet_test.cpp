@@ -101,6 +101,29 @@ private slots:
         QVERIFY(!QImage::fromData(copied->data("image/png"), "png").isNull());
         QVERIFY(!copied->hasText());
     }
+    /// The drawing is not seen: no key and no command changes it, or what is selected.
+    void nothingReachesTheDrawingBehindThePreview()
+    {
+        Desk t;
+        t.select(0);
+        t.openSheet();
+        auto* preview = t.window->findChild<ExportPreview*>();
+        preview->setFocus();
+        const auto before = t.window->session().now();
+        const auto tool = t.window->canvas().tool();
+        for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_T, Qt::Key_3})
+            QTest::keyClick(QApplication::focusWidget(), key);
+        for (const Qt::Key key : {Qt::Key_A, Qt::Key_D, Qt::Key_Z})
+            QTest::keyClick(QApplication::focusWidget(), key, Qt::ControlModifier);
+        QCOMPARE(t.window->session().now(), before);
+        QCOMPARE(t.window->session().selection(), app::ObjectRanges{0});
+        QCOMPARE(t.window->canvas().tool(), tool);
+        QVERIFY(!t.action("delete")->isEnabled() && !t.action("crop")->isEnabled());
+        QVERIFY(t.action("save-as")->isEnabled() && t.action("find-command")->isEnabled());
+        QCOMPARE(t.action("delete")->statusTip(), "Close the preview first (Esc).");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QTRY_VERIFY(!t.window->sheet() && t.action("delete")->isEnabled());
+    }
     void theNameSaysWhatIsInTheFileUntilAnotherIsTyped()
     {
         Desk t;
