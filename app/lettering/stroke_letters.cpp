@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lettering/stroke_letters.h"
 
+#include "app/lettering/composed_letters.h"
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -23,7 +25,7 @@ public:
         for (const char32_t c : text.normalized(QString::NormalizationForm_C).toUcs4())
             if (c == U'\n')
                 breakLine();
-            else if (!letter(c) && !accented(c))
+            else if (!letter(c) && !accented(c) && !composed(c))
                 box(c);
     }
     Letters done{hersheyCapital};
@@ -68,6 +70,31 @@ private:
             for (const auto& stroke : accent.strokes)
                 add(stroke, 1, {0, at});
         }
+        x_ = after;
+        return true;
+    }
+    /// A sign that is made of letters of the font.
+    bool composed(char32_t c)
+    {
+        const ComposedLetter* const sign = findComposed(c);
+        const auto isThere = [&](const LetterPart& part) {
+            return glyphOf(part.letter, font_).glyph != nullptr;
+        };
+        if (!sign || !std::ranges::all_of(sign->parts, isThere))
+            return false;
+        const auto [first, firstScale] = glyphOf(sign->parts.front().letter, font_);
+        const double middle = x_ - first->left * firstScale * sign->parts.front().scale;
+        for (const LetterPart& part : sign->parts) {
+            const auto [glyph, own] = glyphOf(part.letter, font_);
+            const double scale = own * part.scale;
+            x_ -= part.pull + glyph->left * scale;
+            for (const auto& stroke : glyph->strokes)
+                add(stroke, scale, {0, -part.rise});
+            x_ += glyph->right * scale;
+        }
+        const double after = std::exchange(x_, middle);
+        for (const auto& stroke : sign->strokes)
+            add(stroke, 1, {0, 0});
         x_ = after;
         return true;
     }

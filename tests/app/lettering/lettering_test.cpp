@@ -69,6 +69,8 @@ private slots:
         QTest::newRow("Greek with accents") << "ΆΈΉΊΌΎΏάέήίόύώϊϋΐΰ";
         QTest::newRow("Cyrillic")
             << "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯабвгдеёжзийклмнопрстуфхцчшщъыьэюя";
+        QTest::newRow("signs") << "±¹²³½¼¾⌀∅…€£§©®≤≥≠≈√";
+        QTest::newRow("composed") << "ØøÆæŒœßŁłĐđ";
         QTest::newRow("Western") << "ÄÖÜäöüÀÉÊÎÕÑàéêîõñÅåÇçŠšŽžŐő°×÷·–—“”‘’";
     }
     void alphabetsAreWhole()
@@ -94,12 +96,23 @@ private slots:
         QVERIFY(accented.back() == plain.back());
         QVERIFY(left(paths("Áa")) == left(paths("Aa")));
     }
+    void aSignIsMadeOfTheLettersOfItsFont()
+    {
+        QCOMPARE(paths("Ø").size(), paths("O").size() + 1);
+        const auto highest = [](const std::vector<Subpath>& all) {
+            double top = 0;
+            for (Subpath path : all)
+                forEachPoint(path, [&](const Point& p) { top = std::min(top, p.y); });
+            return top;
+        };
+        QVERIFY(std::abs(highest(paths("m²")) - highest(paths("H"))) < 0.3);
+    }
     void missingLettersAreNamedAndStandAsBoxes()
     {
-        const Lettering made = lettered(text("a漢b漢c€"));
-        QCOMPARE(made.missing, (QStringList{"漢", "€"}));
+        const Lettering made = lettered(text("a漢b漢c₿"));
+        QCOMPARE(made.missing, (QStringList{"漢", "₿"}));
         QCOMPARE(made.paths.size(), paths("abc").size() + 3);
-        QVERIFY(missingText(made).contains("漢, €"));
+        QVERIFY(missingText(made).contains("漢, ₿"));
         QCOMPARE(missingText(lettered(text("abc"))), QString());
     }
     void hostileTextsAreEmpty()
