@@ -167,6 +167,7 @@ void clip(const ParsedArguments& arguments)
     const std::size_t dropped = dropHidden(arguments, output, before);
     makeAreasIfWanted(arguments, before);
     const auto covered = occludeIfWanted(arguments, options, before); // rows of CSV have no areas
+    const Document shown = before;
     before = asHeld(std::move(before), *output.format, options.tolerance);
     Cut result = cut(before, options, ProgressLine().follower());
     result.edit.windows = ClipWindows(); // it is cut already
@@ -190,7 +191,7 @@ void clip(const ParsedArguments& arguments)
         if (covered)
             say(occlusionText(*covered));
         reportCut(imported, before, result.counts, options.keepContacts);
-        sayNotHeld(part.drawing, output);
+        sayNotHeld(shown, leftBy(result, shown.objects().size()), output);
         sayPoints(rounded(after, output.options).points);
         sayDropped(arguments, output, dropped);
         if (const QString more = furtherCountsText(result.counts); !more.isEmpty())

@@ -26,7 +26,7 @@ void convert(const ParsedArguments& arguments)
     if (arguments.has(QStringLiteral("quiet")))
         return;
     sayLosses(imported.report);
-    sayNotHeld(drawing, output);
+    sayNotHeld(drawing, ObjectRanges(ObjectRange{0, drawing.objects().size()}), output);
     sayPoints(rounded(drawing, output.options).points);
     if (output.format->hides == StoresHidden::No)
         sayHiddenLeftOut(hiddenObjects(drawing).size(), *output.format);

@@ -392,12 +392,11 @@ void takePage(Output& output, const Imported& imported)
     output.options.wholePage = imported.document.page().rectangle();
 }
 
-void sayNotHeld(const Document& document, const Output& output)
+void sayNotHeld(const Document& document, const ObjectRanges& objects, const Output& output)
 {
     if (output.format->holds != Holds::Outlines && output.format->holds != Holds::Polygons)
         return;
-    const ObjectRanges all(ObjectRange{0, document.objects().size()});
-    for (const QString& loss : lossesOf(document, all, *output.format, output.options))
+    for (const QString& loss : lossesOf(document, objects, *output.format, output.options))
         say(loss + u'.');
 }
 

@@ -59,8 +59,8 @@ void sayPoints(std::size_t count);
 /// Tells the output of the page of the drawing that was read.
 void takePage(Output& output, const Imported& imported);
 
-/// Reports what an outline drawing (DXF) does not hold of the whole document.
-void sayNotHeld(const Document& document, const Output& output);
+/// Reports what an outline drawing (DXF) does not hold of these objects.
+void sayNotHeld(const Document& document, const ObjectRanges& objects, const Output& output);
 
 /// Replaces an existing file only by a complete new one; throws Failure.
 void writeDrawing(const Document& document, const Output& output);

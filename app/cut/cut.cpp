@@ -288,4 +288,13 @@ std::vector<std::uint32_t> sourcesOf(const Cut& cut, std::size_t objects)
     return sources;
 }
 
+ObjectRanges leftBy(const Cut& cut, std::size_t objects)
+{
+    ObjectRanges left(ObjectRange{0, objects}), gone;
+    for (const Splice& splice : cut.edit.splices)
+        if (splice.added == 0)
+            gone.insert({splice.first, splice.first + splice.removed});
+    return without(left, gone);
+}
+
 } // namespace app

@@ -80,5 +80,7 @@ std::vector<Object> cutAlone(const Object& object, const CutOptions& options);
 
 /// For each object after the cut, the index of its source among the document's `objects` objects.
 std::vector<std::uint32_t> sourcesOf(const Cut& cut, std::size_t objects);
+/// Those of the document's `objects` objects of which something is left.
+ObjectRanges leftBy(const Cut& cut, std::size_t objects);
 
 } // namespace app

@@ -18,7 +18,8 @@ ContainerId layerOf(const ExportArea& area)
     return area.part == ExportPart::Layer ? area.layer : 0;
 }
 
-Document contentOf(const ExportJob& job)
+/// What is exported, before it is held by the format and cut.
+Document chosenContent(const ExportJob& job)
 {
     Document content = withOwnStyles(job.source.document); // a cut adds many styles
     const Format& format = formatOf(job.choice);
@@ -26,6 +27,11 @@ Document contentOf(const ExportJob& job)
         content = onlyObjects(onlyImagesIn(std::move(content), layerOf(job.choice.area)), *objects);
     else if (format.hides == StoresHidden::No)
         content = withoutHidden(std::move(content));
+    return content;
+}
+
+Document heldContent(Document content, const Format& format)
+{
     if (format.holds != Holds::Paths)
         content = onlyImagesIn(std::move(content), 0);
     const double tolerance = usualTolerance(content.page());
@@ -94,7 +100,9 @@ Result<ExportDrawing> exportDrawing(const ExportJob& job, const Follower& follow
     if (const auto fault = faultOf(job.source.document.page()))
         return Made::failure(*fault);
     const CutOptions options = cutOptionsOf(job);
-    ExportDrawing made{.document = contentOf(job),
+    const Document chosen = chosenContent(job);
+    ObjectRanges left(ObjectRange{0, chosen.objects().size()});
+    ExportDrawing made{.document = heldContent(chosen, formatOf(job.choice)),
                        .options =
                            writeOptionsOf(job.choice, options.region, job.source.document.page())};
     if (!options.region.everything()) {
@@ -103,6 +111,7 @@ Result<ExportDrawing> exportDrawing(const ExportJob& job, const Follower& follow
         made.counts = result.counts;
         if (follower.stop.stop_requested())
             return Made::failure({});
+        left = leftBy(result, chosen.objects().size());
         made.document.apply(result.edit);
     }
     const auto paper = paperOf(job, made.document);
@@ -112,7 +121,7 @@ Result<ExportDrawing> exportDrawing(const ExportJob& job, const Follower& follow
     if (!onWholePage(job.choice))
         page = paperAround(std::move(page), *paper);
     made.document.apply({.windows = ClipWindows(), .page = std::move(page)}); // it is cut already
-    made.losses = exportLosses(job, made);
+    made.losses = exportLosses(job, chosen, left, made);
     return Made::of(std::move(made));
 }
 

@@ -23,15 +23,6 @@ QStringList saidOf(const LossRow& row)
                : QStringList(row.count == 1 ? row.one : row.many.arg(countText(row.count)));
 }
 
-/// The objects of the original that the export is made of.
-ObjectRanges chosenObjects(const ExportJob& job)
-{
-    const auto objects = objectsOf(job.source, job.choice.area);
-    return objects ? *objects
-                   : without(ObjectRanges(ObjectRange{0, job.source.document.objects().size()}),
-                             hiddenObjects(job.source.document));
-}
-
 std::size_t hiddenIn(const ExportJob& job)
 {
     if (objectsOf(job.source, job.choice.area))
@@ -41,7 +32,8 @@ std::size_t hiddenIn(const ExportJob& job)
 
 } // namespace
 
-QStringList exportLosses(const ExportJob& job, const ExportDrawing& made)
+QStringList exportLosses(const ExportJob& job, const Document& chosen, const ObjectRanges& left,
+                         const ExportDrawing& made)
 {
     const Format& format = formatOf(job.choice);
     const LossRow hidden{format.hides == StoresHidden::No ? hiddenIn(job) : 0,
@@ -50,8 +42,7 @@ QStringList exportLosses(const ExportJob& job, const ExportDrawing& made)
     const LossRow points{rounded(made.document, made.options).points,
                          Text::tr("1 line becomes a point at this precision and is left out"),
                          Text::tr("%1 lines become points at this precision and are left out")};
-    return saidOf(hidden) + lossesOf(job.source.document, chosenObjects(job), format, made.options)
-           + saidOf(points);
+    return saidOf(hidden) + lossesOf(chosen, left, format, made.options) + saidOf(points);
 }
 
 } // namespace app

@@ -6,6 +6,8 @@
 namespace app {
 
 /// What a file of the chosen format does not hold, a remark each: "2 hidden objects are left out".
-QStringList exportLosses(const ExportJob& job, const ExportDrawing& made);
+/// `left` are those objects of `chosen` of which the cut leaves something.
+QStringList exportLosses(const ExportJob& job, const Document& chosen, const ObjectRanges& left,
+                         const ExportDrawing& made);
 
 } // namespace app

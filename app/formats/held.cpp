@@ -5,6 +5,7 @@
 #include "app/base/text.h"
 #include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
+#include "app/formats/dxf/write_look.h"
 #include "app/formats/dxf/write_shape.h"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ struct LossOfKind {
 struct KindsOfObjects {
     std::size_t curved = 0, free = 0; ///< with curves; with others than arcs of circles
     std::size_t filled = 0, texts = 0, transparent = 0, dashed = 0;
+    std::size_t wide = 0; ///< wider than the widest stroke of DXF
 };
 
 bool isTransparent(const Style& style)
@@ -34,9 +36,11 @@ bool isTransparent(const Style& style)
 KindsOfObjects kindsIn(const Document& document, const ObjectRanges& among)
 {
     KindsOfObjects kinds;
+    const double widest = 1.05 * dxf::writing::widestLine / document.page().millimetresPerUnit();
     const auto count = [&](std::size_t, const ObjectView& object) {
         kinds.texts += std::holds_alternative<TextRecipe>(object.particulars().recipe);
         kinds.transparent += isTransparent(object.style());
+        kinds.wide += object.style().stroke && object.style().width > widest;
         kinds.dashed += object.style().stroke && !object.style().dashes.empty();
         if (object.singleLine())
             return;
@@ -110,6 +114,9 @@ QStringList lossesOf(const Document& document, const ObjectRanges& objects, cons
         LossOfKind{format.takes.dxf ? kinds.transparent : 0,
                    Text::tr("1 transparent colour becomes opaque"),
                    Text::tr("%1 transparent colours become opaque")},
+        LossOfKind{format.takes.dxf && !isOld ? kinds.wide : 0,
+                   Text::tr("1 stroke becomes 2.11 mm wide, the most in DXF"),
+                   Text::tr("%1 strokes become 2.11 mm wide, the most in DXF")},
         LossOfKind{format.holds == Holds::Paths ? 0 : seenUnderlays(document).size(),
                    Text::tr("1 image is left out"), Text::tr("%1 images are left out")},
         LossOfKind{keepsTexts ? 0 : kinds.texts, Text::tr("1 text becomes outlines"),

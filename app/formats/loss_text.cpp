@@ -50,6 +50,15 @@ QString saveAsReason(const std::vector<Loss>& report)
     return sentences.join(u' ');
 }
 
+QString changesSentence(const QString& name, const std::vector<Loss>& report)
+{
+    const auto remarks = std::ranges::count_if(report, &Loss::remark);
+    const auto first = std::ranges::find_if(report, &Loss::remark);
+    return remarks == 1 ? Text::tr("%1 was opened with a change: %2.").arg(name, counted(*first))
+                        : Text::tr("%1 was opened with some changes, such as: %2.")
+                              .arg(name, counted(*first));
+}
+
 QStringList lossLines(const std::vector<Loss>& report)
 {
     QStringList lines;

@@ -11,6 +11,10 @@ QString lossSentence(const std::vector<Loss>& report);
 /// The same, and that clip paths were cut: why Save becomes Save as. Empty if it does not.
 QString saveAsReason(const std::vector<Loss>& report);
 
+/// "plan.dxf was opened with a change: 1 file without a unit was read in millimetres." For a report
+/// of remarks alone, at least one.
+QString changesSentence(const QString& name, const std::vector<Loss>& report);
+
 /// One line for each entry of the report: first the losses, then the remarks.
 QStringList lossLines(const std::vector<Loss>& report);
 

@@ -247,8 +247,8 @@ void DifferencePanel::fitColumns()
 /// In a low panel the table gives way, not a sentence.
 void DifferencePanel::keepWhole()
 {
-    explanation_->setMinimumHeight(
-        explanation_->heightForWidth(std::max(1, width() - 2 * space::dockMargin)));
+    const int across = std::max(1, width() - 2 * space::dockMargin);
+    explanation_->setMinimumHeight(std::max(0, explanation_->heightForWidth(across)));
 }
 
 void DifferencePanel::resizeEvent(QResizeEvent* event)

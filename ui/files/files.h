@@ -53,6 +53,7 @@ public:
     void clear();                                      ///< the same here, without a question
     void open();
     void open(const QString& path);
+    void showLosses(); ///< what was changed or left out when the drawing was opened
     void openSample(const app::Sample& sample);
     /// Opens a document made by the program. The answer has the session that shows it; null: the
     /// person kept the current drawing.

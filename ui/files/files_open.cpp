@@ -149,11 +149,15 @@ void Files::tellLosses()
     if (losses.empty())
         return;
     const QString sentence = app::saveAsReason(losses);
-    emit told(
-        {Message::Kind::Warning,
-         sentence.isEmpty() ? Text::tr("%1 was opened with some changes.").arg(name()) : sentence,
-         Text::tr("Show details"), [this, losses] { questions_->showLosses(name(), losses); }});
+    emit told({Message::Kind::Warning,
+               sentence.isEmpty() ? app::changesSentence(name(), losses) : sentence,
+               Text::tr("Show details"), [this] {
+                   showLosses();
+                   tellLosses(); // until it is closed
+               }});
 }
+
+void Files::showLosses() { questions_->showLosses(name(), session_.losses()); }
 
 void Files::openSample(const app::Sample& sample)
 {

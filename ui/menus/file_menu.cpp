@@ -127,6 +127,14 @@ MenuInfo fileMenu()
                     .paletteOnly = true,
                 },
                 {
+                    .key = "opening-report",
+                    .text = Text::tr("What was &changed on opening…"),
+                    .run = [](MainWindow& w) { w.files().showLosses(); },
+                    .enabled = [](const MainWindow& w) { return !w.session().losses().empty(); },
+                    .needs = Text::tr("Nothing was changed or left out when this was opened."),
+                    .paletteOnly = true,
+                },
+                {
                     .key = "print",
                     .text = Text::tr("&Print…"),
                     .keys = keys(K::Print, {K("Ctrl+P")}),

@@ -30,8 +30,8 @@ inline constexpr LossKind damage{
     QT_TRANSLATE_NOOP("Text", "what comes before is kept"),
     QT_TRANSLATE_NOOP("Text", "what comes before is kept")};
 inline constexpr LossKind truncated{
-    QT_TRANSLATE_NOOP("Text", "end of the file, which is missing"),
-    QT_TRANSLATE_NOOP("Text", "ends of the file, which are missing"), false,
+    QT_TRANSLATE_NOOP("Text", "end of a file that is cut off here"),
+    QT_TRANSLATE_NOOP("Text", "ends of files that are cut off here"), false,
     QT_TRANSLATE_NOOP("Text", "what comes before is kept"),
     QT_TRANSLATE_NOOP("Text", "what comes before is kept")};
 inline constexpr LossKind badTableEntry{

@@ -15,6 +15,7 @@ namespace app::dxf::writing {
 /// black on paper and white on a dark screen.
 int nearestAci(const Colour& colour);
 
+constexpr double widestLine = 2.11; ///< millimetres
 /// The nearest line weight that DXF has, in hundredths of a millimetre.
 int lineWeightOf(double millimetres);
 

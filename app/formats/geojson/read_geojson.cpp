@@ -253,11 +253,17 @@ private:
                                   .arg(numberText(farthestLatitude, 2), projection_.name),
                               losses_.beyond, false, Text::tr("drawn at its edge")});
         if (losses_.properties > 0)
-            report.push_back({Text::tr("properties of features"), losses_.properties});
+            report.push_back({losses_.properties == 1 ? Text::tr("property of a feature")
+                                                      : Text::tr("properties of features"),
+                              losses_.properties});
         if (losses_.heights > 0)
-            report.push_back({Text::tr("heights of positions"), losses_.heights});
+            report.push_back({losses_.heights == 1 ? Text::tr("height of a position")
+                                                   : Text::tr("heights of positions"),
+                              losses_.heights});
         if (losses_.empty > 0)
-            report.push_back({Text::tr("features without a geometry"), losses_.empty});
+            report.push_back({losses_.empty == 1 ? Text::tr("feature without a geometry")
+                                                 : Text::tr("features without a geometry"),
+                              losses_.empty});
         if (beyond > 0)
             report.push_back({Text::tr("layer names of lines, beyond the first %1 layers")
                                   .arg(Containers::mostLayers),

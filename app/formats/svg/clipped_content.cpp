@@ -21,7 +21,7 @@ KeptClips keptOf(const ClipAreas& areas)
 }
 
 /// Whether a stroke of this width is inside an area that is a rectangle.
-bool isInside(const Path& path, double width, const ClipArea& area)
+bool isStrokeInside(const Path& path, double width, const ClipArea& area)
 {
     const auto box =
         area.windows.list.size() == 1 ? axisAlignedBox(area.windows.list[0].shape) : std::nullopt;
@@ -134,7 +134,8 @@ void ClippedContent::tellSidesOfStrokes(const Scope& scope, std::span<const CutO
         if (!hidden) {
             style.width *= besideRounding;
             looked_ += object.path().pointCount();
-            if (looked_ > mostLookedAtStrokes || isInside(object.path(), style.width, *scope.area))
+            if (looked_ > mostLookedAtStrokes
+                || isStrokeInside(object.path(), style.width, *scope.area))
                 continue;
         }
         const Path area(strokeArea(object.path(), style, usualTolerance(page_)));

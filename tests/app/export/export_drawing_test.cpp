@@ -243,6 +243,15 @@ private slots:
                  (QStringList{"1 area loses its fill", "1 transparent colour becomes opaque"}));
         QCOMPARE(drawing.options.dxf, DxfVersion::R12);
         QCOMPARE(drawing.options.wholePage, std::optional(sheet.page.rectangle()));
+        // Of what the cut leaves alone.
+        const Subpath away{{500, 10}, {{{550, 10}}, {{550, 50}}}, true};
+        sheet.shapes.push_back(sheet.shapes.front());
+        sheet.shapes.back().paths = {away};
+        ExportJob apart = job;
+        const ClipWindows windows = job.source.document.windows();
+        apart.source.document = documentOf(sheet);
+        apart.source.document.apply({.windows = windows});
+        QCOMPARE(made(apart).losses, drawing.losses);
         job.choice.format = "geojson"; // areas are areas
         QCOMPARE(made(job).document.objects().size(), std::size_t(2));
         QCOMPARE(made(job).losses, QStringList());

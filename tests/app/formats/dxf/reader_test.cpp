@@ -228,7 +228,7 @@ private slots:
         const QByteArray text = file(oneLine + "|0|LINE|10|0|20|0|11|9|21|9");
         const QByteArray cut = text.left(text.lastIndexOf("21|9"));
         QCOMPARE(sheet(cut).shapes.size(), 1u); // nothing of half an entity
-        QCOMPARE(report(cut), QStringList{"1 end of the file, which is missing"});
+        QCOMPARE(report(cut), QStringList{"1 end of a file that is cut off here"});
         const QByteArray damaged = file(oneLine + "|0|LINE|x|7|0|LINE|11|4");
         QCOMPARE(sheet(damaged).shapes.size(), 1u);
         QCOMPARE(report(damaged), QStringList{"1 rest of the file, which is damaged here"});
@@ -254,7 +254,7 @@ private slots:
             QCOMPARE(sheet(bytes), drawing);
             for (qsizetype size = 23; size < bytes.size(); ++size) // ends early anywhere
                 tests::dxf::read(bytes.left(size));
-            QCOMPARE(report(bytes.chopped(8)), QStringList{"1 end of the file, which is missing"});
+            QCOMPARE(report(bytes.chopped(8)), QStringList{"1 end of a file that is cut off here"});
         }
     }
     void otherFilesAreRefusedWithOneSentence_data()

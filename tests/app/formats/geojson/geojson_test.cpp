@@ -151,8 +151,8 @@ private slots:
         QStringList report; // not in degrees
         for (const Loss& loss : read.value->report)
             report << QStringLiteral("%1 %2").arg(loss.count).arg(loss.what);
-        QCOMPARE(report.join("; "), "1 properties of features; 1 heights of positions; "
-                                    "1 features without a geometry");
+        QCOMPARE(report.join("; "), "1 property of a feature; 1 height of a position; "
+                                    "1 feature without a geometry");
     }
 
     void sequencesAreRead()
