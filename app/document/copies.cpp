@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/copies.h"
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <unordered_map>
 
 namespace app {
@@ -23,7 +25,8 @@ Objects withoutIds(const Objects& objects)
 class Inserting {
 public:
     Inserting(TreeDraft& draft, const Document& other)
-        : draft_(draft), from_(other), objects_(draft.adding(withoutIds(other.objects())).objects)
+        : draft_(draft), from_(other), tree_(other.containers()),
+          objects_(draft.adding(withoutIds(other.objects())).objects)
     {
     }
     void into(TreeItems& list, ContainerId of = 0)
@@ -34,6 +37,8 @@ public:
                 list.push_back(
                     {0, {objects_.first + range.first, objects_.first + range.end}, true});
             } else if (from_[item.id].kind == Container::Kind::Layer) {
+                if (from_[item.id].underlay)
+                    list.push_back({draft_.make(imageLayer(item.id))});
                 into(list, item.id);
             } else {
                 Container container = from_[item.id];
@@ -48,10 +53,37 @@ public:
     }
 
 private:
+    Container imageLayer(ContainerId layer) const
+    {
+        Underlay image = *tree_[layer].underlay;
+        image.svgId.clear();
+        return {.name = tree_[layer].name,
+                .visible = tree_.shown(layer),
+                .locked = true,
+                .underlay = std::move(image)};
+    }
+
     TreeDraft& draft_;
     TreeDraft from_;
+    const Containers tree_;
     ObjectRange objects_;
 };
+
+std::size_t layerCount(const Containers& tree)
+{
+    return std::size_t(std::ranges::count_if(
+        tree.inOrder(), [&](ContainerId id) { return tree[id].kind == Container::Kind::Layer; }));
+}
+
+/// Puts layers below all groups around a group, as a group holds no layer.
+void putBelowGroups(TreeDraft& draft, const Containers& tree, ContainerId group,
+                    const TreeItems& layers)
+{
+    while (tree[tree.parentOf(group)].kind == Container::Kind::Group)
+        group = tree.parentOf(group);
+    TreeItems& list = draft.in(tree.parentOf(group));
+    list.insert(std::ranges::find(list, group, &TreeItem::id), layers.begin(), layers.end());
+}
 
 } // namespace
 
@@ -75,6 +107,20 @@ std::optional<Rearranged> withDrawing(const Document& document, const Document& 
     TreeDraft draft(document);
     TreeItems more;
     Inserting(draft, other).into(more);
+    const Containers& tree = document.containers();
+    if (const std::size_t images = other.containers().underlaid().size();
+        images > 0 && layerCount(tree) + images > Containers::mostLayers)
+        return std::nullopt;
+    if (tree[into].kind == Container::Kind::Group) {
+        const auto isLayer = [&](const TreeItem& item) {
+            return item.id != 0 && draft[item.id].kind == Container::Kind::Layer;
+        };
+        TreeItems layers;
+        std::ranges::copy_if(more, std::back_inserter(layers), isLayer);
+        std::erase_if(more, isLayer);
+        if (!layers.empty())
+            putBelowGroups(draft, tree, into, layers);
+    }
     TreeItems& list = draft.in(into);
     list.insert(list.end(), more.begin(), more.end());
     return draft.rearranged();

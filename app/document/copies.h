@@ -16,7 +16,9 @@ std::optional<Rearranged> withCopies(const Document& document, const ObjectRange
                                      ContainerId entered, std::span<const RowChange> changes);
 
 /// Puts everything of another drawing on top of a container, without ids. Its groups stay groups,
-/// its layers are dissolved. Empty: too many groups, or nested too deeply.
+/// its layers are dissolved. The image of a layer gets a locked layer of its own, at its place or,
+/// if the container is a group, below all groups around it. Empty: too many layers or groups, or
+/// nested too deeply.
 std::optional<Rearranged> withDrawing(const Document& document, const Document& other,
                                       ContainerId into);
 

@@ -2,7 +2,10 @@
 #include "app/session/clipboard.h"
 
 #include "app/commands/set_style.h"
+#include "app/document/hidden_objects.h"
+#include "app/document/moved_runs.h"
 #include "app/document/paper.h"
+#include "app/document/placed_images.h"
 #include "app/document/tree_draft.h"
 #include "app/export/drawn_box.h"
 #include "app/export/part_of_drawing.h"
@@ -57,10 +60,37 @@ std::unordered_set<ContainerId> copiedGroups(const Document& document, const Obj
     return groups;
 }
 
+// The drawing without the images that are not copied: those of layers in which, and in the layers
+// around which, something else could be selected, too.
+Document onlyImagesWith(Document document, const ObjectRanges& objects)
+{
+    Containers tree = document.containers();
+    if (!tree.isUnderlaid())
+        return document;
+    const ObjectRanges others = without(editableObjects(document), objects);
+    const auto isCopied = [&](ContainerId id) {
+        const ObjectRange all{0, document.objects().size()};
+        const ObjectRange range = id == 0 ? all : tree.rangeOf(id);
+        return meets(objects, range) && !meets(others, range);
+    };
+    for (const ContainerId id : tree.underlaid()) {
+        ContainerId around = id;
+        while (around != 0 && tree.rangeOf(around).empty())
+            around = tree.parentOf(around);
+        if (tree.shown(id) && isCopied(around))
+            continue;
+        Container without = tree[id];
+        without.underlay = {};
+        tree = tree.with(without);
+    }
+    document.apply({.containers = std::move(tree)});
+    return document;
+}
+
 // The document with only these objects, in their layers, and in the groups that are copied.
 Document only(Document document, const ObjectRanges& objects, ContainerId entered)
 {
-    document = onlyImagesIn(std::move(document), 0); // nothing selects them
+    document = onlyImagesWith(std::move(document), objects);
     const auto groups = copiedGroups(document, objects, entered);
     Page page = document.page();
     page.guides = {};
@@ -161,18 +191,19 @@ std::unique_ptr<QMimeData> copiedFile(std::string_view format, const QByteArray&
     return data;
 }
 
-Document pasted(const QMimeData& data, const Page& page)
+Pasted pasted(const QMimeData& data, const Page& page)
 {
     QByteArray bytes = data.hasFormat(ownType)   ? data.data(ownType)
                        : data.hasFormat(svgType) ? data.data(svgType)
                                                  : data.text().toUtf8();
-    if (!bytes.contains("<svg"))
+    const bool isOffered = data.hasFormat(ownType) || data.hasFormat(svgType);
+    if (bytes.isEmpty() || (!isOffered && !bytes.contains("<svg")))
         return {};
     QBuffer svg(&bytes);
     svg.open(QIODevice::ReadOnly);
     const auto read = formats().front().read(svg);
     if (!read)
-        return {};
+        return {.fault = isOffered ? read.error : QString()};
     const Document& document = read.value->document;
     // Between drawings of the program, lengths stay the real ones; strokes stay as wide on paper.
     const double strokes = document.page().millimetresPerUnit() / page.millimetresPerUnit();
@@ -187,7 +218,10 @@ Document pasted(const QMimeData& data, const Page& page)
             copy.particulars.id.clear();
             objects.append(copy);
         });
-    return Document({page, {}, std::move(objects), document.containers(), {}});
+    const Placement where = same ? Placement() : Placement{Point(factor)};
+    return {Document(
+                {page, {}, std::move(objects), withPlacedImages(document.containers(), where), {}}),
+            read.value->report};
 }
 
 } // namespace app

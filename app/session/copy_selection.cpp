@@ -5,8 +5,10 @@
 #include "app/base/text.h"
 #include "app/commands/add_and_remove.h"
 #include "app/commands/move_objects.h"
+#include "app/commands/set_containers.h"
 #include "app/document/copies.h"
 #include "app/document/hidden_objects.h"
+#include "app/document/placed_images.h"
 #include "app/export/drawn_box.h"
 #include "app/session/units.h"
 
@@ -19,11 +21,15 @@ void pushCopies(Session& session, std::optional<Rearranged> copies, const QStrin
 {
     if (!copies) {
         emit session.refused(
-            Text::tr("Nothing was copied: a drawing can have %1 layers and groups.")
-                .arg(countText(Containers::mostContainers)));
+            Text::tr("Nothing was copied: a drawing can have %1 layers and groups, and %2 layers.")
+                .arg(countText(Containers::mostContainers), countText(Containers::mostLayers)));
         return;
     }
-    session.history.push(new AddObjects(session.document, std::move(copies->edit), undoText));
+    if (copies->added.empty() && copies->edit.containers) // images alone
+        session.history.push(
+            new SetContainers(session.document, std::move(*copies->edit.containers), undoText));
+    else
+        session.history.push(new AddObjects(session.document, std::move(copies->edit), undoText));
     session.select(common(copies->added, editableObjects(session.now())));
 }
 
@@ -34,7 +40,17 @@ Document movedBy(const Document& drawing, const Point& by)
     moved.apply(changed(drawing, all, [&](ObjectRow& object, StyleTable&) {
         place(object, {{1, 1}, by});
     }));
+    moved.apply({.containers = withPlacedImages(drawing.containers(), {{1, 1}, by})});
     return moved;
+}
+
+/// What is copied within a drawing would lay its image on itself.
+Document withNewImages(Document drawing, const Session& session)
+{
+    if (!drawing.objects().empty() && drawing.containers().isUnderlaid())
+        drawing.apply(
+            {.containers = withoutImagesOf(drawing.containers(), session.now().containers())});
+    return drawing;
 }
 
 /// What was copied at another scale, or far away, would be looked for.
@@ -61,7 +77,7 @@ void duplicateInPlace(Session& session)
                Text::tr("Duplicate"));
 }
 
-void paste(Session& session, const Document& drawing, PastePlace place,
+void paste(Session& session, const Document& copied, PastePlace place,
            const std::optional<clipping::Window>& seen)
 {
     if (!mayAddObjects(session)) {
@@ -71,6 +87,7 @@ void paste(Session& session, const Document& drawing, PastePlace place,
                 .arg(nameForNew(session)));
         return;
     }
+    const Document drawing = withNewImages(copied, session);
     const Point step(stepMillimetres / session.now().page().millimetresPerUnit());
     const Point by =
         place == PastePlace::InPlace

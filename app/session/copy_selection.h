@@ -16,7 +16,8 @@ void duplicateInPlace(Session& session);
 enum class PastePlace : std::uint8_t { Offset, InPlace };
 /// Adds everything of a drawing on top of the entered group or the current layer. If that is locked
 /// or hidden, nothing changes, and `Session::refused` says so. With an offset it comes into the
-/// middle of `seen` if it would lie outside.
+/// middle of `seen` if it would lie outside. An image below objects stays out if the session's
+/// drawing shows the same one where it was copied.
 void paste(Session& session, const Document& drawing, PastePlace place,
            const std::optional<clipping::Window>& seen = {});
 

@@ -3,6 +3,7 @@
 
 #include "app/commands/add_and_remove.h"
 #include "app/commands/history.h"
+#include "app/formats/loss_text.h"
 #include "app/session/clipboard.h"
 #include "app/session/selection_style.h"
 #include "app/session/units.h"
@@ -44,11 +45,17 @@ QString paste(app::Session& session, const QMimeData* data, app::PastePlace plac
               app::PastedText text, app::ImagePlacing& placing,
               const std::optional<clipping::Window>& seen)
 {
-    const app::Document drawing = data ? app::pasted(*data, session.now().page()) : app::Document();
-    if (!drawing.objects().empty()) {
-        app::paste(session, drawing, place, seen);
-        return {};
+    const app::Pasted pasted = data ? app::pasted(*data, session.now().page()) : app::Pasted();
+    const QString lost = app::lossSentence(pasted.losses);
+    if (pasted.holdsDrawing()) {
+        const auto before = session.document.revision();
+        app::paste(session, pasted.drawing, place, seen);
+        return session.document.revision() == before ? QString() : lost;
     }
+    if (!pasted.fault.isEmpty())
+        return Text::tr("The drawing on the clipboard cannot be read: %1").arg(pasted.fault);
+    if (!lost.isEmpty())
+        return Text::tr("%1 Nothing was pasted.").arg(lost);
     text.text = data ? data->text() : QString();
     if (text.text.trimmed().isEmpty()) {
         if (!data || !app::offersImage(*data))

@@ -19,7 +19,7 @@ void copySelection(const app::Session& session);
 void cutSelection(app::Session& session);
 /// Pastes the drawing of the clipboard or of another program's drag, or its text as an object in
 /// the font and at the place of `text`, whose own text does not count, or hands an image to
-/// `placing`. Empty, or why nothing was pasted.
+/// `placing`. Empty, or why nothing was pasted, or what of the drawing could not be.
 QString paste(app::Session& session, const QMimeData* data, app::PastePlace place,
               app::PastedText text, app::ImagePlacing& placing,
               const std::optional<clipping::Window>& seen = {});

@@ -2,6 +2,7 @@
 #include "ui/editor/carrying.h"
 
 #include "app/commands/add_and_remove.h"
+#include "app/formats/loss_text.h"
 #include "app/session/clipboard.h"
 #include "app/session/copy_selection.h"
 #include "ui/files/files.h"
@@ -29,8 +30,11 @@ void giveSelection(MainWindow& from, MainWindow& to, Leaves leaves)
     to.files().whenIdle([from = QPointer(&from), &to, data, leaves, step] {
         app::Session& target = to.session();
         const std::size_t before = target.now().objects().size();
-        app::paste(target, app::pasted(*data, target.now().page()), app::PastePlace::InPlace);
+        const app::Pasted given = app::pasted(*data, target.now().page());
+        app::paste(target, given.drawing, app::PastePlace::InPlace);
         const bool isGiven = target.now().objects().size() > before;
+        if (const QString lost = app::lossSentence(given.losses); isGiven && !lost.isEmpty())
+            to.tell({Message::Kind::Warning, lost});
         if (leaves == Leaves::No || !isGiven || !from
             || from->session().document.revision() != step)
             return;

@@ -88,7 +88,7 @@ public:
             break;
         case 2:
         case 3:
-            if (const Document drawing = pasted(*clipboard_, session_.now().page());
+            if (const Document drawing = pasted(*clipboard_, session_.now().page()).drawing;
                 !drawing.objects().empty()) {
                 paste(session_, drawing, PastePlace(random_.below(2)));
                 ++pastes_;

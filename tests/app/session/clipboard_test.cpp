@@ -13,6 +13,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/app/document/test_image.h"
 #include "tests/test_class.h"
 
 namespace session_clipboard_test {
@@ -45,7 +46,7 @@ private slots:
     {
         const app::Document document = drawing({});
         const auto data = app::copied(document, {0, 2});
-        const app::Objects objects = app::pasted(*data, document.page()).objects();
+        const app::Objects objects = app::pasted(*data, document.page()).drawing.objects();
         QCOMPARE(objects.size(), std::size_t(2));
         QVERIFY(objects[0].path() == document.objects()[0].path());
         QVERIFY(objects[0].style() == document.objects()[0].style());
@@ -59,7 +60,7 @@ private slots:
                      "viewBox='0 0 10 10'>"
                      "<line x1='1' y1='2' x2='3' y2='2' stroke='red' stroke-width='0.5'/></svg>");
         const app::Page millimetres; // 297 mm and as many units
-        const app::Objects objects = app::pasted(data, millimetres).objects();
+        const app::Objects objects = app::pasted(data, millimetres).drawing.objects();
         QCOMPARE(objects.size(), std::size_t(1));
         QVERIFY(glm::distance(objects[0].singleLine()->a, {10, 20}) < 1e-9);
         QVERIFY(std::abs(objects[0].style().width - 5) < 1e-9);
@@ -77,7 +78,7 @@ private slots:
         QVERIFY(std::abs(png.width() - 600) <= 1 && std::abs(png.height() - 12) <= 1);
         QCOMPARE(png.pixelColor(300, 6), QColor(255, 0, 0));
         QVERIFY(copy->data(QStringLiteral("application/pdf")).startsWith("%PDF-"));
-        const app::Document none = app::pasted(*copy, {});
+        const app::Document none = app::pasted(*copy, {}).drawing;
         QCOMPARE(none.objects().size(), std::size_t(1)); // it comes back as lines
     }
     // A picture of a large drawing is no larger than a screen needs.
@@ -110,7 +111,7 @@ private slots:
         QVERIFY(!svg.contains("clearcut:window"));
         QMimeData other;
         other.setData(QStringLiteral("image/svg+xml"), svg);
-        const app::Objects objects = app::pasted(other, document.page()).objects();
+        const app::Objects objects = app::pasted(other, document.page()).drawing.objects();
         QCOMPARE(objects.size(), std::size_t(2));
         QVERIFY(glm::distance(objects[0].path().subpaths()[0].start,
                               document.objects()[0].path().subpaths()[0].start)
@@ -135,7 +136,7 @@ private slots:
         QFETCH(app::Page, page);
         const app::Document document = drawing(page);
         const auto copy = app::copied(document, {0, 1, 2});
-        const app::Document back = app::pasted(*copy, page);
+        const app::Document back = app::pasted(*copy, page).drawing;
         QCOMPARE(back.objects().size(), std::size_t(3));
         for (std::size_t i = 0; i < 3; ++i) {
             QVERIFY(back.objects()[i].path() == document.objects()[i].path());
@@ -208,13 +209,81 @@ private slots:
             QCOMPARE(data->data(data->formats().front()), QByteArray("content"));
         }
     }
+    // The image of a layer is copied with it as a whole; nothing selects an image.
+    void imagesAreCopiedWithTheirLayers_data()
+    {
+        QTest::addColumn<app::ObjectRanges>("objects");
+        QTest::addColumn<QStringList>("images"); // the layers that have them
+        QTest::newRow("a layer") << app::ObjectRanges{0, 1} << QStringList("own");
+        QTest::newRow("half of it") << app::ObjectRanges{0} << QStringList();
+        QTest::newRow("without images") << app::ObjectRanges{2} << QStringList();
+        QTest::newRow("all") << app::ObjectRanges{0, 1, 2} << QStringList({"photo", "own"});
+    }
+    void imagesAreCopiedWithTheirLayers()
+    {
+        QFETCH(app::ObjectRanges, objects);
+        QFETCH(QStringList, images);
+        app::DocumentBuilder builder;
+        builder.open({.name = "photo", .locked = true, .underlay = testUnderlay({1, 2}, 0.3)});
+        builder.close();
+        builder.open({.name = "own", .underlay = testUnderlay({3, 4})});
+        for (const double x : {0.1, 0.2})
+            builder.add({app::Path(clipping::Segment{{x, 0}, {x, 9}}), {.stroke = app::Colour{}}});
+        builder.close();
+        builder.open({.name = "lines"});
+        builder.add({app::Path(clipping::Segment{{0, 0}, {5, 9}}), {.stroke = app::Colour{}}});
+        builder.open({.name = "hidden", .visible = false, .underlay = testUnderlay({5, 6})});
+        builder.close();
+        builder.close();
+        const app::Document document = builder.take({});
+        const auto copy = app::copied(document, objects);
+        const app::Document back = app::pasted(*copy, {}).drawing;
+        const app::Containers& tree = back.containers();
+        QStringList names;
+        for (const app::ContainerId id : tree.underlaid()) {
+            names << tree[id].name;
+            const app::ContainerId own = document.containers().underlaid()[names.last() == u"own"];
+            QVERIFY(tree[id].underlay == document.containers()[own].underlay);
+        }
+        QCOMPARE(names, images);
+        QCOMPARE(copy->text().count("<image"), images.size());
+    }
+    void anotherPagesImagesKeepTheirSizeOnPaper()
+    {
+        QMimeData data;
+        data.setText("<svg xmlns='http://www.w3.org/2000/svg' width='10cm' height='10cm' "
+                     "viewBox='0 0 10 10'><clipPath id='c'><path d='M1 2H3V9H1Z'/></clipPath>"
+                     "<image x='1' y='2' width='4' height='3' clip-path='url(#c)' "
+                     "href='data:image/png;base64,"
+                     + bytesOf(testImage(4, 3)).toBase64() + "'/></svg>");
+        const app::Pasted pasted = app::pasted(data, {}); // 297 mm and as many units
+        QVERIFY(pasted.holdsDrawing());
+        const app::Containers& tree = pasted.drawing.containers();
+        const app::Underlay& image = *tree[tree.underlaid().at(0)].underlay;
+        QVERIFY(glm::distance(image.place({0, 0}), {10, 20}) < 1e-9);
+        QVERIFY(glm::distance(image.place({4, 3}), {50, 50}) < 1e-9);
+        QVERIFY(glm::distance(image.clip.at(2), {30, 50}) < 1e-9);
+    }
+    void whatCannotBeKeptIsSaid()
+    {
+        QMimeData data;
+        data.setText("<svg xmlns='http://www.w3.org/2000/svg'><image href='photo.png'/></svg>");
+        const app::Pasted none = app::pasted(data, {});
+        QVERIFY(!none.holdsDrawing());
+        QCOMPARE(none.losses.at(0).what,
+                 "image that is neither in the file nor in its folder or below");
+        data.setData(QStringLiteral("image/svg+xml"),
+                     "<svg xmlns='http://www.w3.org/2000/svg'><g>");
+        QVERIFY(!app::pasted(data, {}).fault.isEmpty());
+    }
+
     void otherClipboardContentsAreIgnored()
     {
         QMimeData data;
         data.setText("hello <svg but not really");
-        QVERIFY(app::pasted(data, {}).objects().empty());
+        QVERIFY(app::pasted(data, {}).drawing.objects().empty());
         data.setText("hello");
-        QVERIFY(app::pasted(data, {}).objects().empty());
+        QVERIFY(app::pasted(data, {}).drawing.objects().empty());
     }
 };
 

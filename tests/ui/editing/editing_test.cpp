@@ -144,6 +144,27 @@ private slots:
         QCOMPARE(stage.session.history.count(), 0);
         QGuiApplication::clipboard()->clear();
     }
+    void whatIsLostOfAnotherProgramsDrawingIsTold()
+    {
+        const QString image = "<image href='photo.png'/>";
+        const QString lost =
+            "1 image that is neither in the file nor in its folder or below cannot be kept.";
+        const auto pasteOf = [](Stage& stage, const QString& elements) {
+            QMimeData data;
+            data.setText("<svg xmlns='http://www.w3.org/2000/svg'>" + elements + "</svg>");
+            return paste(stage.session, &data, app::PastePlace::InPlace, {}, stage.placing);
+        };
+        Stage stage(manyGroups());
+        QCOMPARE(pasteOf(stage, image + "<path d='M0 0H9' stroke='red'/>"), lost);
+        QCOMPARE(stage.session.history.count(), 1);
+        QCOMPARE(pasteOf(stage, image), lost + " Nothing was pasted.");
+        QCOMPARE(pasteOf(stage, "<path d='M0 0H9' stroke='red'/>"), QString());
+        QCOMPARE(stage.session.history.count(), 2);
+        app::Container layer = stage.now().containers()[stage.session.pen.layer];
+        layer.locked = true;
+        stage.session.document.apply({.containers = stage.now().containers().with(layer)});
+        QCOMPARE(pasteOf(stage, image + "<path d='M0 0H9' stroke='red'/>"), QString()); // refused
+    }
     void aPasteIsOneEdit()
     {
         Stage stage(manyGroups());
