@@ -6,22 +6,12 @@
 #include <QLoggingCategory>
 #include <QtEndian>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
 namespace app {
 namespace {
-
-struct KindOfImage {
-    ImageFile::Kind kind;
-    const char* name; ///< for Qt
-    QByteArrayView magic;
-};
-
-const std::array kindsOfImages{
-    KindOfImage{ImageFile::Kind::Png, "png", "\x89PNG\r\n\x1a\n"},
-    KindOfImage{ImageFile::Kind::Jpeg, "jpeg", "\xff\xd8\xff"},
-};
 
 QLoggingCategory::CategoryFilter filterBefore = nullptr;
 
@@ -55,6 +45,45 @@ bool hasEnd(const QByteArray& png)
     return false;
 }
 
+/// Where the blocks of data in a GIF file end that begin at this byte.
+qsizetype endOfBlocks(const QByteArray& gif, qsizetype at)
+{
+    while (at < gif.size() && gif[at] != 0)
+        at += 1 + std::uint8_t(gif[at]);
+    return at + 1;
+}
+
+/// Whether a GIF file has all of its first picture; Qt shows what there is of one that ends early.
+bool hasFirstPicture(const QByteArray& gif)
+{
+    const auto coloursAfter = [&](qsizetype flags) { // the bytes of a colour table
+        constexpr int isThere = 0x80, sizeBits = 0x07;
+        const int byte = flags < gif.size() ? std::uint8_t(gif[flags]) : 0;
+        return (byte & isThere) != 0 ? qsizetype(3) << ((byte & sizeBits) + 1) : 0;
+    };
+    constexpr qsizetype head = 13, descriptor = 10;
+    constexpr char extension = 0x21, picture = 0x2c;
+    qsizetype at = head + coloursAfter(10);
+    while (at < gif.size() && gif[at] == extension)
+        at = endOfBlocks(gif, at + 2);
+    if (at >= gif.size() || gif[at] != picture)
+        return false;
+    return endOfBlocks(gif, at + descriptor + coloursAfter(at + 9) + 1) <= gif.size();
+}
+
+struct KindOfImage {
+    ImageFile::Kind kind;
+    const char* name;
+    QByteArrayView magic;
+    bool (*isWhole)(const QByteArray&) = nullptr; ///< null: its reader says so
+};
+
+const std::array kindsOfImages{
+    KindOfImage{ImageFile::Kind::Png, "png", "\x89PNG\r\n\x1a\n", hasEnd},
+    KindOfImage{ImageFile::Kind::Jpeg, "jpeg", "\xff\xd8\xff"},
+    KindOfImage{ImageFile::Kind::Gif, "gif", "GIF8", hasFirstPicture},
+};
+
 bool isTooLarge(const QSize& size)
 {
     return size.width() > ImageFile::mostSide || size.height() > ImageFile::mostSide
@@ -62,6 +91,11 @@ bool isTooLarge(const QSize& size)
 }
 
 } // namespace
+
+const char* nameOf(ImageFile::Kind kind)
+{
+    return std::ranges::find(kindsOfImages, kind, &KindOfImage::kind)->name;
+}
 
 std::variant<std::shared_ptr<const ImageFile>, ImageFault> imageFileOf(QByteArray bytes)
 {
@@ -71,7 +105,7 @@ std::variant<std::shared_ptr<const ImageFile>, ImageFault> imageFileOf(QByteArra
             continue;
         if (bytes.size() > ImageFile::mostBytes)
             return ImageFault::TooLarge;
-        if (kind.kind == ImageFile::Kind::Png && !hasEnd(bytes))
+        if (kind.isWhole && !kind.isWhole(bytes))
             return ImageFault::Damaged;
         QBuffer buffer(&bytes);
         QImageReader reader(&buffer, kind.name);

@@ -27,7 +27,7 @@ AffineMap onPage(const ImageFile& file, const Page& page)
 QString faultText(ImageFault fault)
 {
     if (fault == ImageFault::OtherKind)
-        return Text::tr("it is neither PNG nor JPEG, or cannot be read.");
+        return Text::tr("it is neither PNG, JPEG nor GIF, or cannot be read.");
     if (fault == ImageFault::Damaged)
         return Text::tr("it is damaged.");
     return Text::tr("it is too large. An image can have %1 million pixels and %2 MB.")
@@ -51,7 +51,10 @@ QByteArray packed(const QImage& image)
     return bytes;
 }
 
-QStringList imageTypes() { return {QStringLiteral("image/png"), QStringLiteral("image/jpeg")}; }
+QStringList imageTypes()
+{
+    return {QStringLiteral("image/png"), QStringLiteral("image/jpeg"), QStringLiteral("image/gif")};
+}
 
 } // namespace
 
@@ -91,7 +94,7 @@ void removeImage(Session& session, ContainerId layer)
 bool isNamedLikeImage(const QString& path)
 {
     const QString suffix = QFileInfo(path).suffix().toLower();
-    return suffix == u"png" || suffix == u"jpg" || suffix == u"jpeg";
+    return suffix == u"png" || suffix == u"jpg" || suffix == u"jpeg" || suffix == u"gif";
 }
 
 bool offersImage(const QMimeData& data)

@@ -23,7 +23,7 @@ QImage decoded(const ImageFile& file)
 {
     QByteArray bytes = file.bytes; // shares them
     QBuffer buffer(&bytes);
-    QImageReader reader(&buffer, file.kind == ImageFile::Kind::Png ? "png" : "jpeg");
+    QImageReader reader(&buffer, nameOf(file.kind));
     QImageReader::setAllocationLimit(mostMegabytes);
     reader.setAutoTransform(true);
     return reader.read();

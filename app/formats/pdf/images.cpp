@@ -137,7 +137,9 @@ std::vector<Stream> asPixels(const std::shared_ptr<const ImageFile>& file, std::
 
 std::vector<Stream> streamsOf(const std::shared_ptr<const ImageFile>& file, std::size_t mask)
 {
-    auto asIs = file->kind == ImageFile::Kind::Jpeg ? jpegAsIs(*file) : pngAsIs(*file);
+    auto asIs = file->kind == ImageFile::Kind::Jpeg  ? jpegAsIs(*file)
+                : file->kind == ImageFile::Kind::Png ? pngAsIs(*file)
+                                                     : std::nullopt;
     return asIs ? std::vector{std::move(*asIs)} : asPixels(file, mask);
 }
 

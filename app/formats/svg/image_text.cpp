@@ -86,8 +86,7 @@ void appendImage(std::string& text, const Underlay& image, std::uint32_t number)
         appendAttribute(text, "clip-path", "url(#" + clip + ")");
         appendPoints(text, "clearcut:clip", image.clip);
     }
-    const bool isPng = image.file->kind == ImageFile::Kind::Png;
-    text.append(" xlink:href=\"data:image/").append(isPng ? "png" : "jpeg").append(";base64,");
+    text.append(" xlink:href=\"data:image/").append(nameOf(image.file->kind)).append(";base64,");
     const QByteArray packed = image.file->bytes.toBase64();
     text.append(packed.constData(), std::size_t(packed.size())).append("\"/>\n");
 }

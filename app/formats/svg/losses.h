@@ -66,8 +66,8 @@ inline constexpr LossKind imageMissing{
     QT_TRANSLATE_NOOP("Text", "image whose own file is missing or cannot be read"),
     QT_TRANSLATE_NOOP("Text", "images whose own files are missing or cannot be read")};
 inline constexpr LossKind imageKind{
-    QT_TRANSLATE_NOOP("Text", "image that is neither PNG nor JPEG"),
-    QT_TRANSLATE_NOOP("Text", "images that are neither PNG nor JPEG")};
+    QT_TRANSLATE_NOOP("Text", "image that is neither PNG, JPEG nor GIF"),
+    QT_TRANSLATE_NOOP("Text", "images that are neither PNG, JPEG nor GIF")};
 inline constexpr LossKind imageDamaged{QT_TRANSLATE_NOOP("Text", "damaged image"),
                                        QT_TRANSLATE_NOOP("Text", "damaged images")};
 inline constexpr LossKind imageTooLarge{

@@ -27,6 +27,14 @@ inline QByteArray bytesOf(const QImage& image, const char* format = "png")
     return bytes;
 }
 
+/// An animation of 4 by 3 pixels: the picture of testImage(4, 3), then a white one.
+inline QByteArray testGif()
+{
+    return QByteArray::fromBase64("R0lGODlhBAADAIEAAP8AAAD/AAAA/"
+                                  "wAAACH5BAAKAAAALAAAAAAEAAMAAAgNAAUIFAAAQIAABQ8GBAAh+QQACgAAACwA"
+                                  "AAAABAADAIH///8AAAAAAAAAAAAICAABCBxIUGBAADs=");
+}
+
 inline std::shared_ptr<const app::ImageFile> testFile(int width = 4, int height = 3)
 {
     auto made = app::imageFileOf(bytesOf(testImage(width, height)));

@@ -46,7 +46,7 @@ class UnderlayTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void knowsPngAndJpeg_data()
+    void knowsKinds_data()
     {
         QTest::addColumn<QByteArray>("bytes");
         QTest::addColumn<int>("fault"); // -1: none
@@ -55,14 +55,28 @@ private slots:
         huge.replace(16, 17, QByteArray::fromHex("000186a0000186a0080200000027309c9f"));
         QTest::newRow("png") << png << -1;
         QTest::newRow("jpeg") << jpeg << -1;
-        QTest::newRow("gif") << QByteArray("GIF89a") << int(ImageFault::OtherKind);
+        QByteArray gif = testGif();
+        gif.replace(6, 4,
+                    QByteArray::fromHex("05000400")); // the picture is smaller than its screen
+        QTest::newRow("gif") << gif << -1;
+        const qsizetype next = gif.lastIndexOf("!"); // of the second picture
+        QTest::newRow("its first picture") << gif.first(next) << -1;
+        for (const qsizetype size : {next - 1, next / 2, qsizetype(30), qsizetype(20)})
+            QTest::addRow("%d bytes of gif", int(size))
+                << gif.first(size) << int(ImageFault::Damaged);
+        QTest::newRow("a head of gif") << QByteArray("GIF89a") << int(ImageFault::Damaged);
+        const QByteArray big = QByteArray::fromHex("ffffffff");
+        gif.replace(6, 4, big).replace(gif.indexOf(QByteArray::fromHex("2c00000000")) + 5, 4, big);
+        QTest::newRow("huge gif") << gif << int(ImageFault::TooLarge);
+        QTest::newRow("webp") << QByteArray("RIFF\x1a\0\0\0WEBPVP8L", 16)
+                              << int(ImageFault::OtherKind);
         QTest::newRow("nothing") << QByteArray() << int(ImageFault::OtherKind);
         QTest::newRow("a head alone") << png.first(12) << int(ImageFault::Damaged);
         QTest::newRow("huge") << huge << int(ImageFault::TooLarge);
         QTest::newRow("many bytes")
             << png + QByteArray(ImageFile::mostBytes, 'x') << int(ImageFault::TooLarge);
     }
-    void knowsPngAndJpeg()
+    void knowsKinds()
     {
         QFETCH(QByteArray, bytes);
         QFETCH(int, fault);

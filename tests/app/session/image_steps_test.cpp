@@ -78,7 +78,7 @@ private slots:
         QCOMPARE(refused.count(), 3);
         QCOMPARE(refused[0][0].toString(), "The image was not placed: it is damaged.");
         QCOMPARE(refused[1][0].toString(),
-                 "The image was not placed: it is neither PNG nor JPEG, or cannot be read.");
+                 "The image was not placed: it is neither PNG, JPEG nor GIF, or cannot be read.");
         QCOMPARE(stage.tree()[stage.tree().childrenOf(0)[0]].name, "last");
         QCOMPARE(stage.tree()[stage.tree().childrenOf(0)[1]].name, "first");
     }

@@ -85,6 +85,13 @@ class ImagesTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void ofAnAnimationTheFirstPictureIsShown()
+    {
+        const QImage shown =
+            pixelsOf(std::get<0>(imageFileOf(testGif()))).convertToFormat(QImage::Format_RGB32);
+        QCOMPARE(shown, testImage(4, 3));
+        QVERIFY(isReadable(*std::get<0>(imageFileOf(testGif()))));
+    }
     /// A photograph is seen as its camera was held.
     void isTurnedAsExifSays()
     {

@@ -179,6 +179,21 @@ private slots:
         QVERIFY(imagesOf(again.value->document) == imagesOf(document));
     }
 
+    void aGifIsKeptAsItIs()
+    {
+        const Document document =
+            read("<image xlink:href='" + address(testGif(), "gif") + "' width='40' height='30'/>");
+        const QImage picture = painted(document);
+        QCOMPARE(at(picture, 10, 20), red);
+        QCOMPARE(at(picture, 30, 20), green);
+        const QByteArray text = textOf(document);
+        QVERIFY2(text.contains("\"data:image/gif;base64,R0lGOD"), text);
+        const auto again = readText(text);
+        QVERIFY(again);
+        QCOMPARE(again.value->report.size(), 0);
+        QCOMPARE(imagesOf(again.value->document).at(0).file->bytes, testGif());
+    }
+
     void liesBesideItsFile()
     {
         QTemporaryDir folder;
@@ -208,7 +223,7 @@ private slots:
             QCOMPARE(lost(other), elsewhere);
         QCOMPARE(lost("none.png"), "image whose own file is missing or cannot be read");
         QCOMPARE(lost("below"), "image whose own file is missing or cannot be read");
-        QCOMPARE(lost("d.svg"), "image that is neither PNG nor JPEG");
+        QCOMPARE(lost("d.svg"), "image that is neither PNG, JPEG nor GIF");
     }
 
     void tellsWhatItCannotKeep()
@@ -222,7 +237,8 @@ private slots:
         QCOMPARE(told(png), "");
         QCOMPARE(told(huge), "1 image that is too large");
         QCOMPARE(told(png.first(png.size() / 2)), "1 damaged image");
-        QCOMPARE(told("GIF89a"), "1 image that is neither PNG nor JPEG");
+        QCOMPARE(told("GIF89a"), "1 damaged image");
+        QCOMPARE(told("RIFF....WEBP"), "1 image that is neither PNG, JPEG nor GIF");
         QCOMPARE(reportOf(image("width='0'")),
                  "1 element of size 0 or less, which SVG does not draw, was left out");
         QCOMPARE(
