@@ -46,6 +46,7 @@ public:
     /// The declarations that apply to an element, from the weakest rule to the strongest. Throws
     /// Refused if the number of tested rules exceeds mostDeclarations.
     std::vector<const std::vector<Declaration>*> matching(Node node);
+    std::size_t& tried() { return tried_; } ///< the number of tested rules
 
 private:
     using Index = std::unordered_map<std::string_view, std::vector<std::uint32_t>>;

@@ -69,6 +69,17 @@ std::vector<Point> mapped(std::vector<Point> points, const Matrix& matrix)
     return points;
 }
 
+/// What counts where no size is given; empty: it is lost.
+std::optional<Point> sizeOfImage(const ImageSource::Found& found)
+{
+    constexpr Point usual{300, 150};
+    if (const auto* const file = std::get_if<std::shared_ptr<const ImageFile>>(&found))
+        return Point((*file)->width, (*file)->height);
+    if (const auto* const drawing = std::get_if<std::shared_ptr<const SvgImage>>(&found))
+        return (*drawing)->size.x > 0 ? (*drawing)->size : usual;
+    return std::nullopt;
+}
+
 } // namespace
 
 /// Marks the elements with an image inside, also one that a <use> draws.
@@ -107,6 +118,8 @@ void TreeDrawer::drawImage(Node node, const Place& around)
 {
     if (node == ownImage_)
         return;
+    if (const SvgImage* const drawing = svgImageOf(node))
+        return drawSvgImage(node, *drawing, around);
     auto image = imageOf(node, around);
     if (!image)
         return;
@@ -114,7 +127,7 @@ void TreeDrawer::drawImage(Node node, const Place& around)
     const Node named = around.repeated ? around.use : node;
     Particulars particulars = named == noNode ? Particulars() : particularsOf(named);
     image->underlay.svgId = particulars.id;
-    ++images_;
+    countImage();
     content_.open(
         {.kind = Container::Kind::Layer,
          .name = label.empty() ? Text::tr("Image %1").arg(images_) : QString::fromUtf8(label),
@@ -130,7 +143,7 @@ void TreeDrawer::drawImage(Node node, const Place& around)
 SharedUnderlay TreeDrawer::takeFirstImage(Node layer, const Place& place)
 {
     const Node node = firstImage(layer);
-    if (node == noNode || !isWanted(node))
+    if (node == noNode || !isWanted(node) || svgImageOf(node))
         return {};
     {
         const Report::Silence silence(report_);
@@ -145,9 +158,21 @@ SharedUnderlay TreeDrawer::takeFirstImage(Node layer, const Place& place)
     ownImage_ = node;
     if (!image)
         return {};
-    ++images_;
+    countImage();
     image->underlay.svgId = idOf(node);
     return std::move(image->underlay);
+}
+
+const ImageSource::Found& TreeDrawer::findImage(Node node)
+{
+    return imageSource_.find(hrefOf(tree_, node), report_);
+}
+
+/// For the numbers in their names, and the limit.
+void TreeDrawer::countImage()
+{
+    ++images_;
+    imageSource_.countDrawn();
 }
 
 /// Empty: it cannot be kept, which is told, or nothing of it is seen.
@@ -155,11 +180,11 @@ std::optional<TreeDrawer::Image> TreeDrawer::imageOf(Node node, const Place& aro
 {
     const auto ownClip = tree_.attribute(node, "clearcut:clip");
     Place place = ownClip.empty() ? inside(node, around) : styled(node, around);
-    if (images_ >= mostImages) {
+    if (imageSource_.drawn() >= mostImages) {
         report_.add(losses::imageBeyond);
         return std::nullopt;
     }
-    const auto& found = imageSource_.find(hrefOf(tree_, node));
+    const auto& found = findImage(node);
     if (const auto* const lost = std::get_if<const LossKind*>(&found)) {
         report_.add(**lost);
         return std::nullopt;
@@ -183,9 +208,8 @@ std::optional<TreeDrawer::Image> TreeDrawer::imageOf(Node node, const Place& aro
     if (parseAspectRatio(aspect).fit == AspectRatio::Fit::Slice)
         cut(image.underlay,
             mapped(cornersOfBox({viewport->min, viewport->min + viewport->size}), place.matrix));
-    for (const auto& area : place.clips)
-        if (!clipImage(image.underlay, area->windows))
-            return std::nullopt;
+    if (!clipImage(image.underlay, place.clips))
+        return std::nullopt;
     if (!std::ranges::all_of(app::outlineOf(image.underlay), [](const Point& p) {
             return std::abs(p.x) < largestCoordinate && std::abs(p.y) < largestCoordinate;
         })) {
@@ -198,11 +222,10 @@ std::optional<TreeDrawer::Image> TreeDrawer::imageOf(Node node, const Place& aro
 /// Where an image is drawn, in its own coordinates; empty: it has no size, or cannot be kept.
 std::optional<Box> TreeDrawer::imageBox(Node node, const Place& place)
 {
-    const auto& found = imageSource_.find(hrefOf(tree_, node));
-    const auto* const file = std::get_if<std::shared_ptr<const ImageFile>>(&found);
-    if (!file)
+    const auto natural = sizeOfImage(findImage(node));
+    if (!natural)
         return std::nullopt;
-    const Point pixels((*file)->width, (*file)->height);
+    const Point pixels = *natural;
     const auto size = [&](std::string_view name, double whole) {
         const auto text = lengthText(tree_, node, place.properties, name);
         return trimmed(text) == "auto" ? std::nullopt : place.lengths.parse(text, whole);
@@ -217,6 +240,12 @@ std::optional<Box> TreeDrawer::imageBox(Node node, const Place& place)
                    : width ? *width * pixels.y / pixels.x
                            : pixels.y}};
     return box.size.x > 0 && box.size.y > 0 ? std::optional(box) : std::nullopt;
+}
+
+bool TreeDrawer::clipImage(Underlay& image, const ClipAreas& areas)
+{
+    return std::ranges::all_of(areas,
+                               [&](const auto& area) { return clipImage(image, area->windows); });
 }
 
 /// False: nothing of the image is left. An area that is no convex polygon is told.

@@ -49,6 +49,7 @@ constexpr std::size_t mostTrueClipPoints = 10'000, mostTrueClipChords = 100'000,
                       mostTrueClippedPoints = 1'000'000;
 constexpr int mostImages = 500;                                             ///< each may be a layer
 constexpr long mostImagePixels = 200'000'000, mostImageBytes = 256'000'000; ///< of all together
+constexpr int deepestImages = 5;            ///< SVG images in SVG images
 constexpr double largestCoordinate = 1e300; ///< keeps sums and differences finite
 
 } // namespace app::svg

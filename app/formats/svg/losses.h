@@ -66,8 +66,17 @@ inline constexpr LossKind imageMissing{
     QT_TRANSLATE_NOOP("Text", "image whose own file is missing or cannot be read"),
     QT_TRANSLATE_NOOP("Text", "images whose own files are missing or cannot be read")};
 inline constexpr LossKind imageKind{
-    QT_TRANSLATE_NOOP("Text", "image that is neither PNG, JPEG nor GIF"),
-    QT_TRANSLATE_NOOP("Text", "images that are neither PNG, JPEG nor GIF")};
+    QT_TRANSLATE_NOOP("Text", "image that is neither PNG, JPEG, GIF nor SVG"),
+    QT_TRANSLATE_NOOP("Text", "images that are neither PNG, JPEG, GIF nor SVG")};
+inline constexpr LossKind imageOfImage{
+    QT_TRANSLATE_NOOP("Text", "image that an SVG image takes from another file"),
+    QT_TRANSLATE_NOOP("Text", "images that SVG images take from other files")};
+inline constexpr LossKind imageTooDeep{
+    QT_TRANSLATE_NOOP("Text", "SVG image in more than five others"),
+    QT_TRANSLATE_NOOP("Text", "SVG images in more than five others")};
+inline constexpr LossKind imageTooComplex{
+    QT_TRANSLATE_NOOP("Text", "SVG image with more than a drawing can have"),
+    QT_TRANSLATE_NOOP("Text", "SVG images with, or after one with, more than a drawing can have")};
 inline constexpr LossKind imageDamaged{QT_TRANSLATE_NOOP("Text", "damaged image"),
                                        QT_TRANSLATE_NOOP("Text", "damaged images")};
 inline constexpr LossKind imageTooLarge{

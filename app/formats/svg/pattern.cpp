@@ -119,7 +119,7 @@ std::optional<Colour> TreeDrawer::tileColour(Node pattern, const Matrix& matrix,
     const Report::Silence silence(report_);
     const auto line = report_.line();
     const Page page = pageOfTile();
-    TreeDrawer drawer(tree_, styles_, report_, page, imageSource_.folder());
+    TreeDrawer drawer(tree_, styles_, report_, page, imageSource_.again());
     drawer.patterns_ = patterns_;
     drawer.patterns_.push_back(pattern);
     drawer.repeated_ = repeated_;

@@ -43,7 +43,7 @@ struct Source {
 void draw(const Tree& tree, const RootPage& root, Styles& styles, Report& report,
           const Source& source, Imported& imported)
 {
-    TreeDrawer drawer(tree, styles, report, root.page, source.folder);
+    TreeDrawer drawer(tree, styles, report, root.page, ImageSource(source.folder));
     drawer.keepClipPaths(source.options.keepsClipPaths);
     try {
         imported.document = drawer.drawAll(root.matrix, root.viewport);

@@ -13,7 +13,7 @@ namespace app::svg {
 class Report {
 public:
     /// The line of what is added from now on; 0: none in particular.
-    void turnTo(qint64 line) { line_ = line; }
+    void turnTo(qint64 line) { line_ = pins_ > 0 ? line_ : line; }
     qint64 line() const { return line_; }
 
     /// While it exists, nothing is added.
@@ -23,6 +23,18 @@ public:
         ~Silence() { --report_.silences_; }
         Silence(const Silence&) = delete;
         Silence& operator=(const Silence&) = delete;
+
+    private:
+        Report& report_;
+    };
+
+    /// While it exists, the line stays: that of an image, for all that is in it.
+    class Pin {
+    public:
+        explicit Pin(Report& report) : report_(report) { ++report_.pins_; }
+        ~Pin() { --report_.pins_; }
+        Pin(const Pin&) = delete;
+        Pin& operator=(const Pin&) = delete;
 
     private:
         Report& report_;
@@ -45,7 +57,7 @@ private:
 
     std::vector<Counted> counted_;
     qint64 line_ = 0;
-    int silences_ = 0;
+    int silences_ = 0, pins_ = 0;
 };
 
 } // namespace app::svg

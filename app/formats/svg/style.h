@@ -110,6 +110,13 @@ public:
 
     Properties of(Node node, const Properties& parent, const Lengths& lengths);
 
+    /// Counts on from the work of others, for the limits of all together.
+    void takeWork(Styles& of)
+    {
+        sheet_.tried() = of.sheet_.tried();
+        variableWork_ = of.variableWork_;
+    }
+
 private:
     struct Cascade;
     /// How an attribute is treated, by its name.

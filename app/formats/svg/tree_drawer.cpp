@@ -98,14 +98,14 @@ const TreeDrawer::Row* TreeDrawer::find(std::string_view element)
 bool TreeDrawer::isDrawn(std::string_view element) { return find(element) || findForeign(element); }
 
 TreeDrawer::TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page,
-                       const QString& folder)
+                       ImageSource images)
     : tree_(tree), report_(report), styles_(styles),
       paints_(tree, styles, report,
               [this](Node pattern, const Box& box, const Lengths& lengths) {
                   return patternColour(pattern, box, lengths);
               }),
       page_(page), content_(page, usualTolerance(page), tree.textSize(), report),
-      imageSource_(folder), idIsTaken_(tree.size())
+      imageSource_(std::move(images)), idIsTaken_(tree.size())
 {
     for (std::uint32_t name = 0; name < tree.nameCount(); ++name)
         hasConditions_ = hasConditions_ || tree.nameOf(name) == extensionAttribute
@@ -115,17 +115,23 @@ TreeDrawer::TreeDrawer(const Tree& tree, Styles& styles, Report& report, const P
 
 Document TreeDrawer::drawAll(const Matrix& rootMatrix, const Point& viewport)
 {
-    report_.turnTo(line());
-    reportRootConditions();
-    idOf(0); // reserves the root's id
     Place place;
     place.matrix = rootMatrix;
     place.lengths.viewport = viewport;
     place.lengths.screen = {toUserUnits(page_.width, pixel), toUserUnits(page_.height, pixel)};
+    return drawRoot(std::move(place));
+}
+
+Document TreeDrawer::drawRoot(Place place)
+{
+    report_.turnTo(line());
+    reportRootConditions();
+    idOf(0); // reserves the root's id
     place = inside(0, place);
     place.lengths.rootFontSize = place.properties.fontSize;
     drawChildren(0, place);
-    nameOtherClipPaths(place);
+    if (imageSource_.depth() == 0)
+        nameOtherClipPaths(place);
     report_.turnTo(0);
     report_.add(losses::metadata, tree_.saysTooMuch() ? 1 : 0);
     report_.add(losses::elementNote, tree_.notesOfElements() - notesKept_);
@@ -144,7 +150,7 @@ void TreeDrawer::draw(Node node, const Place& around)
     node_ = node;
     report_.turnTo(line());
     refuseTooDeep(around);
-    if (around.repeated && ++repeated_ > mostRepeated)
+    if ((around.repeated || imageSource_.depth() > 0) && ++repeated_ > mostRepeated)
         throw Refused{
             Text::tr("exceeds the limit of %1 elements repeated by <use>.").arg(mostRepeated)};
     const auto name = tree_.name(node);

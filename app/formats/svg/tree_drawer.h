@@ -41,9 +41,8 @@ void setContext(Properties& to, const Properties& from);
 /// Converts the tree into a document. A table has one row for each element that SVG can paint.
 class TreeDrawer {
 public:
-    /// `folder`: where images lie; empty: nowhere.
     TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page,
-               const QString& folder);
+               ImageSource images);
 
     /// Whether clip paths, masks and viewports become Particulars::clips, and nothing is cut.
     void keepClipPaths(bool keep) { content_.keepClips(keep); }
@@ -64,6 +63,7 @@ private:
     static const Row* find(std::string_view element);
     static bool isDrawn(std::string_view element); ///< by SVG, whether it is kept or not
 
+    Document drawRoot(Place place);
     void draw(Node node, const Place& around);
     static void refuseTooDeep(const Place& around);
     void drawChildren(Node node, const Place& place);
@@ -179,6 +179,17 @@ private:
     std::optional<Image> imageOf(Node node, const Place& around);
     std::optional<Box> imageBox(Node node, const Place& place);
     bool clipImage(Underlay& image, const ClipWindows& windows);
+    bool clipImage(Underlay& image, const ClipAreas& areas);
+    const ImageSource::Found& findImage(Node node);
+    const SvgImage* svgImageOf(Node node);
+    void countImage();
+    void drawSvgImage(Node node, const SvgImage& image, const Place& around);
+    struct SvgFrame;
+    std::optional<Document> drawnImage(const SvgImage& image, const SvgFrame& frame,
+                                       const Place& place);
+    void addDrawing(const Document& drawing, Container container, const Place& place);
+    void addImage(Underlay image, Container layer, const Place& place);
+    void takeWork(TreeDrawer& of);
 
     std::optional<Colour> patternColour(Node pattern, const Box& box, const Lengths& lengths);
     std::optional<Colour> tileColour(Node pattern, const Matrix& matrix, const Lengths& lengths);

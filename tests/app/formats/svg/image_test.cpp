@@ -223,7 +223,7 @@ private slots:
             QCOMPARE(lost(other), elsewhere);
         QCOMPARE(lost("none.png"), "image whose own file is missing or cannot be read");
         QCOMPARE(lost("below"), "image whose own file is missing or cannot be read");
-        QCOMPARE(lost("d.svg"), "image that is neither PNG, JPEG nor GIF");
+        QCOMPARE(lost("d.svg"), "image that an SVG image takes from another file"); // itself
     }
 
     void tellsWhatItCannotKeep()
@@ -238,7 +238,7 @@ private slots:
         QCOMPARE(told(huge), "1 image that is too large");
         QCOMPARE(told(png.first(png.size() / 2)), "1 damaged image");
         QCOMPARE(told("GIF89a"), "1 damaged image");
-        QCOMPARE(told("RIFF....WEBP"), "1 image that is neither PNG, JPEG nor GIF");
+        QCOMPARE(told("RIFF....WEBP"), "1 image that is neither PNG, JPEG, GIF nor SVG");
         QCOMPARE(reportOf(image("width='0'")),
                  "1 element of size 0 or less, which SVG does not draw, was left out");
         QCOMPARE(
