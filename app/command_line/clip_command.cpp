@@ -192,6 +192,7 @@ void clip(const ParsedArguments& arguments)
             say(occlusionText(*covered));
         reportCut(imported, before, result.counts, options.keepContacts);
         sayNotHeld(shown, leftBy(result, shown.objects().size()), output);
+        sayOutsideMap(after, output);
         sayPoints(rounded(after, output.options).points);
         sayDropped(arguments, output, dropped);
         if (const QString more = furtherCountsText(result.counts); !more.isEmpty())

@@ -27,6 +27,7 @@ void convert(const ParsedArguments& arguments)
         return;
     sayLosses(imported.report);
     sayNotHeld(drawing, ObjectRanges(ObjectRange{0, drawing.objects().size()}), output);
+    sayOutsideMap(drawing, output);
     sayPoints(rounded(drawing, output.options).points);
     if (output.format->hides == StoresHidden::No)
         sayHiddenLeftOut(hiddenObjects(drawing).size(), *output.format);

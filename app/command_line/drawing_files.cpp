@@ -8,6 +8,7 @@
 #include "app/document/flatten.h"
 #include "app/formats/held.h"
 #include "app/formats/loss_text.h"
+#include "app/formats/map_edge.h"
 #include "app/formats/read_open_file.h"
 #include "app/formats/svg/colour.h"
 #include "app/lettering/texts_as_strokes.h"
@@ -398,6 +399,12 @@ void sayNotHeld(const Document& document, const ObjectRanges& objects, const Out
         return;
     for (const QString& loss : lossesOf(document, objects, *output.format, output.options))
         say(loss + u'.');
+}
+
+void sayOutsideMap(const Document& written, const Output& output)
+{
+    for (const QString& sentence : outsideMap(written, *output.format, output.options))
+        say(sentence + u'.');
 }
 
 void writeDrawing(const Document& document, const Output& output)

@@ -61,6 +61,8 @@ void takePage(Output& output, const Imported& imported);
 
 /// Reports what an outline drawing (DXF) does not hold of these objects.
 void sayNotHeld(const Document& document, const ObjectRanges& objects, const Output& output);
+/// Reports positions of a written map outside of its projection.
+void sayOutsideMap(const Document& written, const Output& output);
 
 /// Replaces an existing file only by a complete new one; throws Failure.
 void writeDrawing(const Document& document, const Output& output);

@@ -5,6 +5,7 @@
 #include "app/base/text.h"
 #include "app/document/hidden_objects.h"
 #include "app/formats/held.h"
+#include "app/formats/map_edge.h"
 #include "app/formats/rounded.h"
 
 namespace app {
@@ -42,7 +43,8 @@ QStringList exportLosses(const ExportJob& job, const Document& chosen, const Obj
     const LossRow points{rounded(made.document, made.options).points,
                          Text::tr("1 line becomes a point at this precision and is left out"),
                          Text::tr("%1 lines become points at this precision and are left out")};
-    return saidOf(hidden) + lossesOf(chosen, left, format, made.options) + saidOf(points);
+    return saidOf(hidden) + lossesOf(chosen, left, format, made.options)
+           + outsideMap(made.document, format, made.options) + saidOf(points);
 }
 
 } // namespace app

@@ -30,6 +30,30 @@ private slots:
         QVERIFY2(cut.out.contains("[[0,0],[30,35.265]]") || cut.out.contains("[[0,0],[30,35.264]]"),
                  cut.out);
     }
+    // In a drawing of which a unit is a degree, the map ends at 180.
+    void whatLiesOutsideTheMapIsTold()
+    {
+        const QByteArray table = "0,-180,60,-190\n0,0,181,179.9999999999\n";
+        const auto told = [&](const QByteArray& lines, const QStringList& options) {
+            return clearcut(QStringList{options.first(), "-", "--from", "csv", "--to", "geojson"}
+                                + options.mid(1) + QStringList{"-o", "-"},
+                            lines)
+                .err;
+        };
+        const QByteArray end = ": Web Mercator ends at 85.05° of latitude and 180° of longitude.";
+        const QStringList convert{"convert", "--projection", "web-mercator"};
+        QVERIFY2(told(table, convert)
+                     .contains("2 positions lie outside the map and are written as they are" + end),
+                 told(table, convert));
+        QVERIFY(told("0,-180,60,190\n", convert)
+                    .contains("1 position lies outside the map and is written as it is" + end));
+        QVERIFY(!told("0,-180,60,180\n", convert).contains("map"));
+        QVERIFY(!told(table, {"convert"}).contains("map"));
+        const QStringList clip{"clip", "--projection", "web-mercator", "-w", "0,-180,170,180"};
+        QVERIFY(!told(table, clip).contains("outside the map")); // no more there
+        QVERIFY(told(table, {"clip", "--projection", "web-mercator", "-w", "0,-185,170,180"})
+                    .contains("1 position lies outside the map"));
+    }
     void aProjectionNeedsAMap()
     {
         const auto none = clearcut({"convert", "-", "--from", "csv", "--projection", "web-mercator",
