@@ -39,6 +39,7 @@ struct ExportChoice {
     std::optional<Colour> background{}; ///< WriteOptions::background
     DxfVersion dxf = DxfVersion::R2000;
     bool plain = false; ///< WriteOptions::plain
+    Projection projection = Projection::PlateCarree;
     friend bool operator==(const ExportChoice&, const ExportChoice&) = default;
 };
 

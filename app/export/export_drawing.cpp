@@ -83,6 +83,8 @@ WriteOptions writeOptionsOf(const ExportChoice& choice, const ClipRegion& region
         options.precision = choice.precision;
     if (format.takes.dxf)
         options.dxf = choice.dxf;
+    if (format.takes.projection)
+        options.projection = choice.projection;
     options.plain = format.takes.plain && choice.plain;
     options.wholePage = page.rectangle();
     if (region.keep == Keep::Inside)

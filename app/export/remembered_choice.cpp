@@ -84,6 +84,13 @@ const std::array members{
            [](const QString& text, ExportChoice& choice) {
                choice.plain = text == QStringLiteral("plain");
            }},
+    Member{"projection",
+           [](const ExportChoice& choice) { return latin(kindOf(choice.projection).key); },
+           [](const QString& text, ExportChoice& choice) {
+               for (const ProjectionKind& kind : projections())
+                   if (text == latin(kind.key))
+                       choice.projection = kind.projection;
+           }},
 };
 
 QString field(const QString& text, int number) { return text.section(u'\t', number, number); }

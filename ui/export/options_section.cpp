@@ -26,7 +26,24 @@ constexpr std::array usualDpis{96, 150, 300, 600};
 constexpr int mostDecimals = 12;
 constexpr app::Colour white{255, 255, 255}, nothing{255, 255, 255, 0};
 enum Ground : std::uint8_t { None, White, Own };
-enum RowOf : std::uint8_t { Version, Kind, Paper, Resolution, Refusal, Background, Decimals };
+enum RowOf : std::uint8_t {
+    Version,
+    Kind,
+    Degrees,
+    Paper,
+    Resolution,
+    Refusal,
+    Background,
+    Decimals
+};
+
+QStringList projectionTexts()
+{
+    QStringList texts;
+    for (const app::ProjectionKind& kind : app::projections())
+        texts << kind.name.first(1).toUpper() + kind.name.sliced(1);
+    return texts;
+}
 
 QStringList dpiTexts()
 {
@@ -49,6 +66,7 @@ OptionsSection::OptionsSection(app::LiveExport& live, QWidget* parent)
     : ExportSection({}, parent), live_(live),
       version_(new Segments(Text::tr("Version"), {Text::tr("R2000"), Text::tr("R12")})),
       kind_(new Segments(Text::tr("Kind"), {Text::tr("Clearcut drawing"), Text::tr("Plain")})),
+      projection_(new Segments(Text::tr("Drawn as"), projectionTexts())),
       paper_(new Segments(Text::tr("Paper"), {Text::tr("As the area"), Text::tr("Whole page")})),
       dpis_(new Segments(Text::tr("Resolution"), dpiTexts())),
       background_(new Segments(Text::tr("Background"),
@@ -58,6 +76,7 @@ OptionsSection::OptionsSection(app::LiveExport& live, QWidget* parent)
 {
     addVersion();
     addKind();
+    addProjection();
     addPaper();
     addResolution();
     addBackground();
@@ -92,6 +111,20 @@ void OptionsSection::addKind()
     rows_.push_back(addRow(Text::tr("Kind"), {kind_}));
     connect(kind_, &Segments::picked, this, [this](int chosen) {
         change([&](app::ExportChoice& choice) { choice.plain = chosen == 1; });
+    });
+}
+
+void OptionsSection::addProjection()
+{
+    projection_->setObjectName(QStringLiteral("export-projection"));
+    projection_->setTips({Text::tr("A user unit of the drawing is a degree"),
+                          Text::tr("A user unit is a degree of longitude, and latitudes are "
+                                   "stretched, as in maps on the web")});
+    rows_.push_back(addRow(Text::tr("Drawn as"), {projection_}));
+    connect(projection_, &Segments::picked, this, [this](int chosen) {
+        change([&](app::ExportChoice& choice) {
+            choice.projection = app::projections()[std::size_t(chosen)].projection;
+        });
     });
 }
 
@@ -199,6 +232,7 @@ void OptionsSection::follow()
     setTitle(format.shortName());
     version_->choose(int(choice.dxf));
     kind_->choose(choice.plain ? 1 : 0);
+    projection_->choose(int(&app::kindOf(choice.projection) - app::projections().data()));
     paper_->choose(int(choice.paper));
     const auto usual = std::ranges::find(usualDpis, choice.dpi);
     usual == usualDpis.end() ? dpis_->chooseNone() : dpis_->choose(int(usual - usualDpis.begin()));
@@ -210,6 +244,7 @@ void OptionsSection::follow()
     frame_->hide();
     rows_[Version].setVisible(format.takes.dxf);
     rows_[Kind].setVisible(format.takes.plain);
+    rows_[Degrees].setVisible(format.takes.projection);
     rows_[Paper].setVisible(format.takes.paper);
     rows_[Resolution].setVisible(format.takes.dpi);
     rows_[Refusal].setVisible(false);

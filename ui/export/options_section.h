@@ -14,7 +14,8 @@ class LookLabel;
 class RefusalFrame;
 class Segments;
 
-/// What the chosen format can do: its version, kind, paper, resolution, background and decimals.
+/// What the chosen format can do: its version, kind, projection, paper, resolution, background
+/// and decimals.
 class OptionsSection : public ExportSection {
     Q_OBJECT
 
@@ -26,6 +27,7 @@ public:
 private:
     void addVersion();
     void addKind();
+    void addProjection();
     void addPaper();
     void addResolution();
     void addBackground();
@@ -37,7 +39,7 @@ private:
     void showBackground(const app::Format& format);
 
     app::LiveExport& live_;
-    Segments *version_, *kind_, *paper_, *dpis_, *background_;
+    Segments *version_, *kind_, *projection_, *paper_, *dpis_, *background_;
     QLineEdit* dpi_;
     RefusalFrame* frame_;
     LookLabel* refusal_;

@@ -25,7 +25,8 @@ private slots:
                                   .precision = 3,
                                   .background = Colour{1, 171, 3, 0},
                                   .dxf = DxfVersion::R12,
-                                  .plain = true};
+                                  .plain = true,
+                                  .projection = Projection::WebMercator};
         const auto read = choiceOf(textOf(choice));
         QVERIFY2(read == choice, qPrintable(textOf(choice)));
     }
@@ -39,6 +40,7 @@ private slots:
         QCOMPARE(choiceOf("png dpi=nan").value(), ExportChoice{.format = "png"});
         QCOMPARE(choiceOf("svg svg=fancy").value(), ExportChoice{});
         QCOMPARE(choiceOf("dxf dxf=r14").value(), ExportChoice{.format = "dxf"});
+        QCOMPARE(choiceOf("geojson projection=globe").value(), ExportChoice{.format = "geojson"});
     }
     void eachFormatAndEachDrawingHasItsOwn()
     {

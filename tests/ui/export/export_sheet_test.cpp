@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/add_and_remove.h"
+#include "app/commands/history.h"
 #include "app/export/remembered_choice.h"
 #include "app/session/export_source.h"
 #include "app/session/window_steps.h"
@@ -199,8 +201,8 @@ private slots:
         t.openSheet();
         const auto shown = [&t] {
             QStringList names;
-            for (const char* name : {"export-paper", "export-dpi", "export-background",
-                                     "export-decimals", "export-pixels"})
+            for (const char* name : {"export-projection", "export-paper", "export-dpi",
+                                     "export-background", "export-decimals", "export-pixels"})
                 if (t.isShown(name))
                     names << QString(name).mid(7);
             return names.join(u' ');
@@ -212,6 +214,36 @@ private slots:
         QCOMPARE(shown(), "paper dpi background pixels");
         t.press("export-as-csv");
         QCOMPARE(shown(), "decimals");
+        t.press("export-as-geojson");
+        QCOMPARE(shown(), "projection decimals");
+    }
+    // On a page of 100 by 80 units, which begins at the origin, with a line at y = 50.
+    void aMapIsWrittenInDegrees()
+    {
+        Desk t;
+        t.openSheet();
+        t.press("export-as-geojson");
+        t.press("export-page");
+        t.pick("export-projection", "Web Mercator");
+        QVERIFY(!t.text("export-losses").contains("map"));
+        const QString path = t.path("map.geojson");
+        t.write(path);
+        const QByteArray map = contentOf(path);
+        QVERIFY2(map.contains("[[0,28.71"), map); // of 30 degrees on the plane
+        t.openSheet();
+        QCOMPARE(t.part<Segments>("export-projection").chosen(), 1);
+        app::Page page = t.window->session().now().page();
+        page.min = {0, -300}; // the origin of the file is that of the units
+        page.size.y = 600;
+        t.window->session().document.apply({.page = page});
+        app::Objects lines;
+        lines.append(
+            {app::Path(clipping::Segment{{0, -200}, {50, -250}}), {.stroke = app::Colour{}}});
+        t.window->session().history.push(new app::AddObjects(
+            t.window->session().document, lines, t.window->session().pen.layer, "Draw"));
+        t.settle();
+        QVERIFY2(t.text("export-losses").contains("2 positions lie outside the map"),
+                 qPrintable(t.text("export-losses")));
     }
     void theResultIsThatOfTheArea()
     {
