@@ -10,6 +10,7 @@
 #include "app/document/hidden_objects.h"
 #include "app/document/placed_images.h"
 #include "app/export/drawn_box.h"
+#include "app/session/image_room.h"
 #include "app/session/units.h"
 
 namespace app {
@@ -88,6 +89,10 @@ void paste(Session& session, const Document& copied, PastePlace place,
         return;
     }
     const Document drawing = withNewImages(copied, session);
+    if (!hasRoomFor(imageFilesOf(drawing.containers()), session.now().containers())) {
+        emit session.refused(Text::tr("Nothing was pasted. %1").arg(imageRoomText()));
+        return;
+    }
     const Point step(stepMillimetres / session.now().page().millimetresPerUnit());
     const Point by =
         place == PastePlace::InPlace

@@ -5,6 +5,7 @@
 #include "app/base/text.h"
 #include "app/commands/history.h"
 #include "app/commands/set_containers.h"
+#include "app/session/image_room.h"
 #include "app/view/image_pixels.h"
 
 #include <QBuffer>
@@ -62,6 +63,10 @@ void placeImage(Session& session, const std::shared_ptr<const ImageFile>& file, 
 {
     const Document& document = session.now();
     const Containers& tree = document.containers();
+    if (!hasRoomFor({file}, tree)) {
+        emit session.refused(Text::tr("No image was placed. %1").arg(imageRoomText()));
+        return;
+    }
     const auto layers = std::ranges::count_if(
         tree.inOrder(), [&](ContainerId id) { return tree[id].kind == Container::Kind::Layer; });
     const Container layer{.name = name.isEmpty() ? Text::tr("Image %1").arg(layers + 1) : name,

@@ -14,7 +14,7 @@ namespace app {
 // Undoable steps on the images below layers.
 
 /// Lays an image below all of the drawing, on a locked layer of its own, as large as fits on the
-/// page. If there is no room for a layer, Session::refused says so.
+/// page. If there is no room for it, Session::refused says so.
 void placeImage(Session& session, const std::shared_ptr<const ImageFile>& file,
                 const QString& name);
 /// Takes the image from a layer, which stays.

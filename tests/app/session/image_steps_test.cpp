@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Images that are dropped and pasted lie below the drawing, as one step each.
+#include "app/session/copy_selection.h"
 #include "app/session/image_steps.h"
 
 #include <QSignalSpy>
@@ -108,6 +109,43 @@ private slots:
         QTRY_COMPARE(stage.session.history.count(), 1);
         QCOMPARE(stage.tree()[stage.tree().underlaid()[0]].name, "last");
         QCOMPARE(stage.tree().underlaid().size(), std::size_t(1));
+    }
+
+    // Else they would be lost when the file is opened again.
+    void theLimitOfImagesIsTold()
+    {
+        Stage stage;
+        const auto file = testFile(40, 30);
+        Containers tree = stage.tree();
+        for (int i = 0; i < 499; ++i)
+            tree = *tree.inserted({.name = "i", .underlay = Underlay{.file = file}}, 0, 0, {0, 0});
+        stage.session.document.apply({.containers = tree});
+        QSignalSpy refused(&stage.session, &Session::refused);
+        placeImage(stage.session, file, "last");
+        QCOMPARE(stage.tree().underlaid().size(), std::size_t(500));
+        placeImage(stage.session, file, "too many");
+        QCOMPARE(stage.tree().underlaid().size(), std::size_t(500));
+        QCOMPARE(
+            refused.value(0).value(0).toString(),
+            "No image was placed. A file can hold 500 images with 200 million pixels and 256 MB "
+            "in all. Remove an image first.");
+        paste(stage.session, stage.session.now(), PastePlace::InPlace);
+        QCOMPARE(refused.count(), 2);
+    }
+    void theLimitOfPixelsIsTold()
+    {
+        Stage stage;
+        const auto large = [] {
+            return std::make_shared<const ImageFile>(
+                ImageFile{.bytes = "x", .width = 10'000, .height = 9'000});
+        };
+        const auto first = large();
+        for (const auto& file : {first, large(), first})
+            placeImage(stage.session, file, "i");
+        QCOMPARE(stage.session.history.count(), 3);
+        QSignalSpy refused(&stage.session, &Session::refused);
+        placeImage(stage.session, large(), "i");
+        QCOMPARE(refused.count(), 1);
     }
 
     void theLimitOfLayersIsTold()
