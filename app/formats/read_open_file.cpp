@@ -3,10 +3,30 @@
 
 #include "app/base/replace_file.h"
 #include "app/base/text.h"
+#include "app/formats/content_kind.h"
 
 #include <QFileInfo>
 
 namespace app {
+
+namespace {
+
+/// Says what a file is that has another kind of content than its name.
+Result<Imported> byContent(Result<Imported> failed, QFileDevice& file, const Format& format)
+{
+    if (file.isSequential() || !file.seek(0))
+        return failed;
+    const ContentKind kind = contentKind(file.read(contentHead));
+    const Format* const own = formatToRead(QStringLiteral("a.") + kind.ending);
+    if (kind.name.isEmpty() || (own && own->key == format.key))
+        return failed;
+    return Result<Imported>::failure(
+        kind.ending.isEmpty() ? Text::tr("by its content it is %1.").arg(kind.name)
+                              : Text::tr("by its content it is %1. Give it the ending .%2.")
+                                    .arg(kind.name, kind.ending));
+}
+
+} // namespace
 
 Result<Imported> readOpenFile(QFileDevice& file, const Format& format, const ReadOptions& options)
 {
@@ -15,7 +35,7 @@ Result<Imported> readOpenFile(QFileDevice& file, const Format& format, const Rea
     if (!file.isSequential())
         file.getChar(nullptr);
     if (file.error() == QFileDevice::NoError)
-        return result;
+        return result ? std::move(result) : byContent(std::move(result), file, format);
     return Result<Imported>::failure(
         Text::tr("it cannot be read to its end. %1.").arg(file.errorString()));
 }

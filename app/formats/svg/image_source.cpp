@@ -52,6 +52,16 @@ bool leadsDown(const QString& path)
            && QDir::isRelativePath(clean) && clean != u".." && !clean.startsWith(u"../");
 }
 
+/// From the folder, if the address is the whole path of a file in it.
+QString pathIn(const QString& address, const QString& folder)
+{
+    constexpr QLatin1StringView scheme("file://");
+    const QString whole =
+        address.startsWith(scheme, Qt::CaseInsensitive) ? address.mid(scheme.size()) : address;
+    const QString within = QDir(folder).absolutePath() + u'/';
+    return whole.startsWith(within) ? whole.mid(within.size()) : address;
+}
+
 /// The text of an SVG drawing, also of a compressed one; empty: it is none.
 std::optional<QByteArray> svgText(QByteArray bytes)
 {
@@ -118,7 +128,7 @@ std::variant<QByteArray, const LossKind*> ImageSource::bytesBeside(std::string_v
 {
     if (depth_ > 0)
         return &losses::imageOfImage;
-    const QString path = QString::fromUtf8(rawBytes(address).percentDecoded());
+    const QString path = pathIn(QString::fromUtf8(rawBytes(address).percentDecoded()), folder_);
     if (folder_.isEmpty() || !leadsDown(path))
         return &losses::imageElsewhere;
     const QFileInfo info(QDir(folder_), path);

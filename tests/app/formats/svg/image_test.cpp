@@ -213,12 +213,15 @@ private slots:
                    : result.value->report.empty() ? QString("nothing")
                                                   : result.value->report[0].what;
         };
-        for (const char* kept : {"a%20b.png", "a b.png", "./below/c.jpg", "below/../a b.png"})
+        const QByteArray whole = dir.filePath("in/a b.png").toUtf8();
+        for (const QByteArray& kept :
+             {QByteArray("a%20b.png"), QByteArray("a b.png"), QByteArray("./below/c.jpg"),
+              QByteArray("below/../a b.png"), whole, "file://" + whole.toPercentEncoding("/")})
             QCOMPARE(lost(kept), "nothing");
         const QString elsewhere = "image that is neither in the file nor in its folder or below";
         for (const QByteArray& other :
              {QByteArray("../outside.png"), QByteArray("link.png"),
-              dir.filePath("in/a b.png").toUtf8(), QByteArray("http://example.org/a.png"),
+              dir.filePath("outside.png").toUtf8(), QByteArray("http://example.org/a.png"),
               QByteArray("file:a b.png"), QByteArray("below/../../outside.png")})
             QCOMPARE(lost(other), elsewhere);
         QCOMPARE(lost("none.png"), "image whose own file is missing or cannot be read");
